@@ -15,6 +15,7 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
+#include "fitted/constants.h"
 
 namespace magfsi {
 
@@ -53,10 +54,9 @@ int available_cores() {
 
 // Counts the cells of the coarsest level.
 int worthwhile_parts(const scene::Fluid& fluid) {
-    constexpr double min_cells = 20000;
     double cells = 1;
     for (const double length : fluid.box_m) cells *= length / fluid.spacing_m;
-    return std::clamp(cells / min_cells, 1.0, 1e6);
+    return std::clamp(cells / fitted::cells_worth_a_rank, 1.0, 1e6);
 }
 
 // "a processor" where /proc/cpuinfo names none, as on some ARM machines.

@@ -19,8 +19,8 @@ coupler::RunPlan run_plan(const scene::Scene& scene);
 std::string processor();
 // Number of cores that this process may use (its affinity mask).
 int available_cores();
-// Number of ranks or threads at which each still has enough cells (20000) to be worth its
-// messages.
+// Number of ranks or threads at which each still has enough cells to be worth its
+// messages (fitted::cells_worth_a_rank).
 int worthwhile_parts(const scene::Fluid& fluid);
 
 // Solver part of a participant: must call session.begin with the coupled step, then run

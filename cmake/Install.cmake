@@ -78,8 +78,8 @@ install(FILES fluid_lbm/effects.inc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magf
   COMPONENT dev)
 install(FILES adapters/run_scene.h adapters/structure_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/adapters
   COMPONENT dev)
-install(DIRECTORY cmake/isa cmake/grid cmake/surface cmake/words DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi
-  COMPONENT dev FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY cmake/isa cmake/fitted cmake/grid cmake/surface cmake/words
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi COMPONENT dev FILES_MATCHING PATTERN "*.h")
 configure_package_config_file(cmake/install/magfsi-config.cmake.in
   ${magfsi_generated}/magfsi-config.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/magfsi

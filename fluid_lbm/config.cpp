@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "fitted/constants.h"
 #include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/collision/choice.h"
@@ -88,17 +89,17 @@ std::string collision_reason(const FluidConfig& config) {
         text << "asked for";
     } else if (reaches_trt(tau)) {
         text
-            << "relaxation time " << tau << " is at least " << trt_from
+            << "relaxation time " << tau << " is at least " << fitted::trt_from
             << ", where two-relaxation-time collision is stable and has the lowest error";
     } else if (chosen == Collision::trt) {
-        text << "relaxation time " << tau << " is below " << trt_from
+        text << "relaxation time " << tau << " is below " << fitted::trt_from
              << ", and a wall moves: regularised collision fails where it meets a "
                 "resting one";
     } else if (chosen == Collision::recursive_mrt) {
-        text << "relaxation time " << tau << " is below " << trt_from
+        text << "relaxation time " << tau << " is below " << fitted::trt_from
              << ", and the layers at bodies without slip do not depend on its time step";
     } else {
-        text << "relaxation time " << tau << " is below " << trt_from
+        text << "relaxation time " << tau << " is below " << fitted::trt_from
              << ", where it stays stable in flows that the grid does not resolve";
     }
     return text.str();

@@ -32,9 +32,4 @@ constexpr double relaxation_time(double viscosity_m2_s, double time_step_s,
     return 3 * viscosity_m2_s * time_step_s / (spacing_m * spacing_m) + 0.5;
 }
 
-// Relaxation time from which the automatic collision is trt with the magic number 3/16.
-// Closer to 1/2 the odd rate nearly vanishes if Lambda stays 3/16 (0.24 at tau = 0.55,
-// 0.018 at 0.5035, 0.008 at 0.5015): a swimming robot and a Taylor-Green vortex diverged.
-constexpr double trt_from = 0.55;
-
 }  // namespace magfsi::fluid

@@ -10,6 +10,7 @@
 #include "adapters/bodies/marker_surface.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/scene/effective.h"
+#include "fitted/constants.h"
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"
@@ -21,32 +22,10 @@ namespace {
 
 using structure::Vec3;
 
-// Constants of thinned-out markers, which `thinned` picks from dense points, in grid
-// spacings. First their least distance.
-constexpr double thinned_to = 1.0;
-// Distance from a thinned-out outer row to the edge of the area that it stands for.
-// Fitted: disks of 12 and 16 spacings that oscillate broadside have the exact added mass
-// (tests/validation/no_slip).
-constexpr double beyond_row = 0.4;
-// Depth that the outer rows of two and of more thinned-out layers lack against straight
-// rows. Fitted to disks 3 and 4 spacings thick, 16 and 32 wide.
-constexpr double thinned_two = 0.27, thinned_more = 0.08;
-// Additional depth of an even shell against a plane. Fitted: balls of 6 to 12 spacings
-// have the exact drag in a creeping stream (tests/validation/no_slip/ball.py).
-constexpr double beyond_shell = 0.08;
-// Mean distance of neighbours.
-constexpr double thinned_apart = 1.1;
-
-// Extension of a sheet without thickness, in thicknesses t, that replaces a sheet with
-// square edges. Those move as much fluid as 0.31 to 0.35 t more of the thin sheet
-// (boundary elements; t up to a tenth of the width), and the fluid that they displace
-// counts as another tenth of t.
-constexpr double square_edge = 0.44;
-
 // Depth below the rim at which the area of a single layer's markers ends [m]; negative,
 // outside of the rim, for thick sheets.
 double rim_depth_m(const KernelReach& reach, double thickness_m) {
-    return reach.edge_m - square_edge * thickness_m;
+    return reach.edge_m - fitted::square_edge * thickness_m;
 }
 
 // Even rows along one axis of a box: their coordinates and their distance.
@@ -87,7 +66,7 @@ struct Length {
 };
 
 Rows rows_along(const Length& length, const KernelReach& reach, double thickness_m) {
-    const double widest_m = widest_apart * reach.grid_m;
+    const double widest_m = fitted::widest_apart * reach.grid_m;
     const int layers = reach.layers(thickness_m).count;
     if (layers == 1)
         return length.drawn_back(std::max(0.0, rim_depth_m(reach, thickness_m)),
@@ -251,14 +230,16 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
 std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
                                     const structure::Sheet& sheet, double thickness_m,
                                     const DryFaces& dry, const KernelReach& reach) {
-    const double apart_m = thinned_to * reach.grid_m, fine_m = 0.125 * reach.grid_m;
+    const double apart_m = fitted::thinned_to * reach.grid_m,
+                 fine_m = 0.125 * reach.grid_m;
     const auto rim = dry.without(structure::rim_of(mesh, sheet));
     const EvenPlanes layers = reach.layers(thickness_m);
-    double depth_m = rim_depth_m(reach, thickness_m) + beyond_row * apart_m;
+    double depth_m = rim_depth_m(reach, thickness_m) + fitted::beyond_row * apart_m;
     if (layers.count > 1)
-        depth_m = reach.depth_m(thinned_apart * reach.grid_m) +
-                  (layers.count == 2 ? reach.rim_of_two_m - thinned_two * reach.grid_m
-                                     : reach.rim_of_more_m - thinned_more * reach.grid_m);
+        depth_m = reach.depth_m(fitted::thinned_apart * reach.grid_m) +
+                  (layers.count == 2
+                       ? reach.rim_of_two_m - fitted::thinned_two * reach.grid_m
+                       : reach.rim_of_more_m - fitted::thinned_more * reach.grid_m);
     std::vector<PlacedMarker> markers;
     for (int i = 0; i < layers.count; ++i) {
         const double above_m =
@@ -282,7 +263,8 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
                                     std::span<const structure::SurfaceQuad> surface,
                                     const KernelReach& reach) {
     const double grid_m = reach.grid_m, fine_m = 0.125 * grid_m;
-    const double depth_m = reach.depth_m(thinned_apart * grid_m) + beyond_shell * grid_m;
+    const double depth_m =
+        reach.depth_m(fitted::thinned_apart * grid_m) + fitted::beyond_shell * grid_m;
     const structure::PointLocator locator(mesh);
     std::vector<PlacedMarker> points;
     for (const auto& p : structure::surface_points(mesh, surface, fine_m)) {
@@ -297,7 +279,7 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
     std::vector<PlacedMarker> inside = volume;
     draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
     points.insert(points.end(), inside.begin(), inside.end());
-    auto markers = thinned(points, mesh, thinned_to * grid_m);
+    auto markers = thinned(points, mesh, fitted::thinned_to * grid_m);
     // The markers' volumes must add up to the body's: with more, balls diverge at
     // relaxation times above 1.
     share_volume(markers, mesh, volume, grid_m);

@@ -17,18 +17,14 @@ constexpr Complex im{0, 1};
 // Positions of the planes relative to the grid over which the thickness is averaged.
 constexpr int places_in_grid = 10;
 
-// Admissible distances of neighbouring planes: the forces of closer ones work against
-// each other, wider ones do not carry the fluid between them. Two planes carry it up to a
-// larger distance.
+// Admissible distances of neighbouring planes.
 struct Range {
     double closest, widest;
 };
 constexpr Range range(int count) {
-    return count == 2 ? Range{0.9, 2.0} : Range{0.75, widest_apart};
+    return count == 2 ? Range{fitted::closest_of_two, fitted::widest_of_two}
+                      : Range{fitted::closest_of_more, fitted::widest_apart};
 }
-// Lack of thickness up to which one plane has a smaller error than two that are close
-// together (plates 1.85 and 2 spacings thick: tests/validation/no_slip/plate.py).
-constexpr double thinner_is_better = 0.4;
 // Number of planes from which on the depth of the outer ones hardly depends on the
 // number, except on whether it is even.
 constexpr int many = 7;
@@ -124,10 +120,10 @@ EvenPlanes WallOfPlanes::for_body(double thickness_wanted) const {
     };
     EvenPlanes best{1, 1};
     double best_error = std::abs(of(best) - thickness_wanted);
-    if (thickness_wanted < of(best) + thinner_is_better) return best;
+    if (thickness_wanted < of(best) + fitted::thinner_is_better) return best;
     // Upper bound of the part of a body outside of its outer planes, both sides together.
     const double outside = 2.2;
-    const int fewest = (thickness_wanted - outside) / widest_apart;
+    const int fewest = (thickness_wanted - outside) / fitted::widest_apart;
     for (int count = std::max(2, fewest);; ++count) {
         auto [low, high] = range(count);
         const double least = of({count, low});

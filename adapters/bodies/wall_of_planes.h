@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "coupler/options.h"
+#include "fitted/constants.h"
 
 namespace magfsi::bodies {
 
@@ -25,15 +26,12 @@ struct EvenPlanes {
     double apart = 1;  // distance of neighbouring planes
 };
 
-// Largest distance of rows of markers: fluid leaks through wider ones.
-constexpr double widest_apart = 1.2;
-
 class WallOfPlanes {
   public:
     // The response in a fluid with this relaxation time and magic number, to planes that
     // oscillate at the frequency whose Stokes layer sqrt(2 nu / omega) is stokes_layer.
     WallOfPlanes(coupler::Kernel kernel, double relaxation_time, double magic_number,
-                 double stokes_layer = 2);
+                 double stokes_layer = fitted::stokes_layer_of_planes);
 
     // Effective thickness of planes that oscillate along themselves: a body of that
     // thickness has the same inertia. Mean over ten positions of the planes relative to

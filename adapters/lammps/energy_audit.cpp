@@ -14,6 +14,7 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/structure_run.h"
 #include "adapters/scene/effective.h"
+#include "fitted/constants.h"
 #include "structure/lammps/names.h"
 
 namespace magfsi::lammps {
@@ -30,11 +31,8 @@ bool is_driven(const scene::Fluid& fluid) {
            });
 }
 
-// Gain of energy that is no fault, as shares. Of the largest work: a penalty force that
-// begins within a step gains 1.2 %, unstable steps gain many times all works. Of the
-// fluid's energy at the start: the part that sound may return, the square of the Mach
-// number at a lattice speed of 0.05.
-constexpr double max_share_of_work = 0.1;
+// Gain of energy that is no fault, over the fluid's energy at the start: the part that
+// sound may return, the square of the Mach number at a lattice speed of 0.05.
 constexpr double max_share_of_fluid = 0.01;
 
 // Gains below the elastic energy of this strain, G V strain^2, are not judged: they may
@@ -241,7 +239,7 @@ std::string EnergyAudit::fault() const {
     if (!lags_)
         gained =
             std::max(gained, record_.unpaid - record_.lowest - record_.most_for_nothing);
-    const double allowed = max_share_of_work * record_.work +
+    const double allowed = fitted::max_gain_of_work * record_.work +
                            max_share_of_fluid * record_.fluid_at_start + min_j_;
     if (driven_ || record_.rows < 2 || gained <= allowed) return {};
     return fmt::format(

@@ -15,8 +15,8 @@
 #include "adapters/lammps/scene_to_input.h"
 #include "adapters/scene/effective.h"
 #include "coupler/immersed_boundary/direct_forcing.h"
-#include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/participants/errors.h"
+#include "fitted/constants.h"
 #include "structure/body.h"
 #include "structure/lattice/lattice.h"
 
@@ -24,19 +24,9 @@ namespace magfsi::lammps {
 
 namespace {
 
-// Parts of the stability limits that are used: the lattice stiffens by a few per cent
-// when it is compressed, and the drag (explicit, limit 2 / rate) should decay without
-// overshoot.
-constexpr double elastic_margin = 0.9;
-constexpr double drag_margin = 0.5;
-
 // LAMMPS steps between two checks of the stable step. Sound crosses an element in about
 // one step, and deformations that change its stiffness take many crossings.
 constexpr std::int64_t steps_between_checks = 100;
-// Parts of the present stable step: the largest that the step may be, which moderate
-// strains do not reach from 0.9 at rest, and the one that a new step is set to.
-constexpr double allowed = 0.95;
-constexpr double chosen = 0.9;
 // Largest increase of the number of LAMMPS steps over that of the start.
 constexpr int max_refinement = 16;
 
@@ -49,7 +39,7 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
                                       coupled_step_s};
     // Row sums are not known before the run; the least one that it allows is assumed.
     const double share = boundary.forcing == coupler::Forcing::no_slip
-                             ? coupler::no_slip_strength / coupler::least_row_sum
+                             ? fitted::no_slip_strength / fitted::least_row_sum
                              : 1;
     const auto solids = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < solids.size(); ++b) {
@@ -85,18 +75,19 @@ Substeps chosen_substeps(const scene::Scene& scene) {
         s.coupled_step_s = scene::path_step_s(scene);
         s.lammps_step_s = std::isinf(s.elastic_limit_s)
                               ? s.coupled_step_s
-                              : elastic_margin * s.elastic_limit_s;
+                              : fitted::elastic_margin * s.elastic_limit_s;
         return s;
     }
     const auto wanted = scene::coupled_step_s(scene);
     s.coupled_step_s =
-        wanted ? *wanted
-               : scene::halved(scene,
-                               even_step_s(scene, elastic_margin * s.elastic_limit_s));
-    double limit = elastic_margin * s.elastic_limit_s;
+        wanted
+            ? *wanted
+            : scene::halved(
+                  scene, even_step_s(scene, fitted::elastic_margin * s.elastic_limit_s));
+    double limit = fitted::elastic_margin * s.elastic_limit_s;
     if (scene.fluid && scene.coupling) {
         s.drag_limit_s = 2 / largest_drag_rate(scene, s.coupled_step_s);
-        limit = std::min(limit, drag_margin * s.drag_limit_s);
+        limit = std::min(limit, fitted::drag_margin * s.drag_limit_s);
     }
     s.count = std::max<int>(1, std::ceil(s.coupled_step_s / limit - 1e-9));
     if (scene.coupling && scene.coupling->substeps) {
@@ -163,10 +154,11 @@ StepGuard::Result StepGuard::check(const bodies::NodalState& state,
     if (!std::isfinite(rise)) return result;
     result.limit_s = structure::CurrentStep::step_s(start_.elastic_limit_s, rise);
     // A step that the scene prescribes may exceed the allowed part from the start.
-    const double part = std::max(allowed, start_.lammps_step_s / start_.elastic_limit_s);
+    const double part =
+        std::max(fitted::allowed_part, start_.lammps_step_s / start_.elastic_limit_s);
     if (rise == 0 || now.lammps_step_s <= part * result.limit_s) return result;
-    result.factor =
-        static_cast<int>(std::ceil(now.lammps_step_s / (chosen * result.limit_s)));
+    result.factor = static_cast<int>(
+        std::ceil(now.lammps_step_s / (fitted::chosen_part * result.limit_s)));
     if (now.count * result.factor <= max_refinement * start_.count) return result;
     throw coupler::Diverged(fmt::format(
         "the bodies are so deformed that their stable step has fallen from {:.3g} to "

@@ -18,6 +18,7 @@
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/conditioning.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
+#include "fitted/constants.h"
 #include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/config.h"
 #include "fluid_lbm/obstacle/obstacles.h"
@@ -120,15 +121,11 @@ bool keeps_all(const scene::Scene& scene, const fluid::FluidConfig& config) {
 constexpr double marker_bytes =
     2 * (sizeof(coupler::MarkerStencil) + sizeof(coupler::Vec3) + sizeof(double) + 1) +
     9 * sizeof(coupler::Vec3);
-// Rows along x that are touched, per marker. Sheets with some markers per cell touch a
-// thirtieth of a row per marker where they lie along x, and a fifth where they have bent
-// across it.
-constexpr double rows_per_marker = 0.1;
 
 // Bytes of the force rows: three numbers per cell, with the mean slack of half as many
 // rows again that a growing array holds.
 double forced_rows_bytes(double markers, int nx, bool single_precision) {
-    return 1.5 * rows_per_marker * markers * 3 * nx *
+    return 1.5 * fitted::rows_per_marker * markers * 3 * nx *
            (single_precision ? sizeof(float) : sizeof(double));
 }
 

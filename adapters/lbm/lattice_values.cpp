@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/lbm/lattice_values.h"
+#include "fitted/constants.h"
 
 #include <fmt/format.h>
 
@@ -19,9 +20,6 @@ constexpr double min_tau = 0.501, max_tau = 1.0;
 // At a smaller rate perturbations of the odd modes live for more than ten steps and grow
 // in fast flows.
 constexpr double min_odd_rate = 0.1;
-// Largest Reynolds number of a cell at which viscosity still smooths velocity differences
-// from cell to cell.
-constexpr double max_grid_reynolds = 50;
 
 // Value of (omega L / c)^2 above which the text suggests a ramp.
 constexpr double overshoots = 0.05;
@@ -112,13 +110,13 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
     // Shear layers begin at bodies, where the finest cells are.
     const double finest_m = scene.fluid->finest_spacing_m();
     const double finest_reynolds = v.grid_reynolds * finest_m / v.spacing_m;
-    if (finest_reynolds > max_grid_reynolds * (1 + 1e-9) &&
+    if (finest_reynolds > fitted::max_cell_reynolds * (1 + 1e-9) &&
         scene.fluid->smagorinsky_constant == 0) {
         warn(fmt::format(
             "at a cell's Reynolds number of {:.3g} shear layers are not "
             "resolved: take a spacing of {:.3g} mm{}, or smagorinsky: "
             "{{constant: 0.1}}",
-            finest_reynolds, finest_m * max_grid_reynolds / finest_reynolds * 1e3,
+            finest_reynolds, finest_m * fitted::max_cell_reynolds / finest_reynolds * 1e3,
             finest_m < v.spacing_m ? " on the finest level" : ""));
     }
     return text;

@@ -23,6 +23,7 @@
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
+#include "fitted/constants.h"
 
 namespace magfsi::launch {
 
@@ -58,11 +59,6 @@ std::string explain_control(const scene::Scene& scene) {
         control.script, control.every_s * 1e3, control.probes.empty() ? "" : "; it sees ",
         fmt::join(control.probes, ", "));
 }
-
-// Smallest density ratio of body to fluid at which the serial scheme was measured to be
-// stable (docs/coupling.md). Below it the inertia of the enclosed fluid, which the serial
-// scheme follows one step late, may have to be implicit.
-constexpr double min_serial_ratio = 0.01;
 
 // Smallest and largest density of the bodies over the fluid's.
 // Bodies with regions count by their regions' densities.
@@ -104,11 +100,11 @@ std::string cost(const coupler::Coupling& coupling) {
 
 // Scheme recommended for the smallest density ratio of body to fluid, with the reason.
 std::string recommended(const scene::Scene& scene, double min_ratio) {
-    if (min_ratio < min_serial_ratio) {
+    if (min_ratio < fitted::min_serial_ratio) {
         return fmt::format(
             "implicit: below a density ratio of {:.2g} the serial scheme has not been "
             "seen to be stable",
-            min_serial_ratio);
+            fitted::min_serial_ratio);
     }
     if (scene.coupling->immersed_boundary.strength > 2)
         return "serial: the implicit scheme has diverged at strengths above 2";

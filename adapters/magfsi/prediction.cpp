@@ -15,6 +15,7 @@
 #include "adapters/magfsi/cost.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/scene.h"
+#include "fitted/constants.h"
 
 namespace magfsi::launch {
 
@@ -100,15 +101,12 @@ double exchange_s(const Work& work, const Calibration& c) {
                   : c.s_per_coupled_step + work.fluid->cells * c.s_per_coupled_cell;
 }
 
-// Time [s] of one element's dipole acting on another, with AVX2 (docs/lab/effects.md).
-constexpr double s_per_dipole = 4e-9;
-
 // Wall time of a substep [s]. Ranks share elements, markers and dipole pairs evenly, and
 // exchange ghost nodes.
 double substep_s(const StructureWork& s, const Calibration& c) {
     return c.s_per_substep + (s.ranks > 1 ? c.s_per_substep_exchange : 0) +
            (s.elements * c.s_per_element_substep + s.markers * c.s_per_marker_substep +
-            s.dipoles * s_per_dipole) /
+            s.dipoles * fitted::s_per_dipole) /
                s.ranks;
 }
 

@@ -12,15 +12,12 @@
 #include "adapters/lammps/substeps.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/scene/effective.h"
+#include "fitted/constants.h"
 #include "fluid_lbm/config.h"
 
 namespace magfsi::launch {
 
 namespace {
-
-// Usual number of iterations of iqn_ils at its default tolerance, as measured
-// (docs/coupling.md).
-constexpr double usual_iterations = 2.5;
 
 // Number of outputs from time 0 to end_s, both included.
 double rows(double end_s, double every_s) {
@@ -61,11 +58,6 @@ double wall_cells(const fluid::FluidConfig& config) {
     return cells;
 }
 
-// Cost of a cell update on a finer level, with its share of the exchange between levels,
-// over that of a plain update. Measured on the tutorial swimmer: 3.3 with two levels;
-// with one level 4.1 on a busy machine, 3.1 on an idle one.
-constexpr double finer_cell_cost = 3.2;
-
 // Adds the cell updates per step. A refined grid counts per step of its finest level,
 // hence the factor for the coarse one.
 void add_lattice(const scene::Scene& scene, FluidWork& work) {
@@ -73,7 +65,7 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
     const fluid::FluidConfig& config = levels.front().front();
     const double coarse =
         std::ldexp(lbm::cells_of(levels.front()), 1 - static_cast<int>(levels.size()));
-    work.cells = coarse + finer_cell_cost * (lbm::updated_cells(levels) - coarse);
+    work.cells = coarse + fitted::finer_cell_cost * (lbm::updated_cells(levels) - coarse);
     work.wall_cells = wall_cells(config);
     const fluid::Collision collision = fluid::choose_collision(config);
     work.recursive_collision = collision == fluid::Collision::recursive_regularized ||
@@ -150,7 +142,7 @@ Work work_of(const scene::Scene& scene, const Ranks& ranks) {
     }
     work.steps = std::round(scene.time.end_s / step_s);
     if (scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit)
-        work.iterations = usual_iterations;
+        work.iterations = fitted::usual_iterations;
     return work;
 }
 

@@ -8,18 +8,15 @@
 
 #include "adapters/openfoam/mesh.h"
 #include "adapters/scene/effective.h"
+#include "fitted/constants.h"
 
 namespace magfsi::openfoam {
 
 namespace {
 
-// Memory per cell as measured: fields, matrices and multigrid levels of pimpleFoam.
-constexpr double bytes_per_cell = 1500;
-// Limits above which explain warns. The scheme of second order in time needs at least two
-// steps per cell at the fastest place; beyond the grid Reynolds number shear layers are
-// not resolved.
+// Limit above which explain warns: the scheme of second order in time needs at least two
+// steps per cell at the fastest place.
 constexpr double max_courant = 0.5;
-constexpr double max_grid_reynolds = 50;
 
 // A line of the table: name and SI value.
 std::string row(const char* name, const std::string& si) {
@@ -68,18 +65,19 @@ std::string explain(const scene::Scene& scene, int /*ranks*/) {
         text += row("Reynolds number of a cell", fmt::format("{:.4g}", grid_reynolds));
     }
     text += fmt::format("  {} x {} x {} = {:.0f} cells, about {:.0f} MB\n", n[0], n[1],
-                        n[2], cells, cells * bytes_per_cell / 1e6);
+                        n[2], cells, cells * fitted::openfoam_bytes_per_cell / 1e6);
     if (courant > max_courant) {
         text += fmt::format(
             "  warning: a Courant number of {:.3g} is inaccurate: take a step of {:.3g} "
             "us\n",
             courant, step_s * max_courant / courant * 1e6);
     }
-    if (grid_reynolds > max_grid_reynolds) {
+    if (grid_reynolds > fitted::max_cell_reynolds) {
         text += fmt::format(
             "  warning: at a cell's Reynolds number of {:.3g} shear layers are not "
             "resolved: take a spacing of {:.3g} mm\n",
-            grid_reynolds, fluid.spacing_m * max_grid_reynolds / grid_reynolds * 1e3);
+            grid_reynolds,
+            fluid.spacing_m * fitted::max_cell_reynolds / grid_reynolds * 1e3);
     }
     if (const std::string fault = missing(); !fault.empty())
         text += fmt::format("  warning: {}\n", fault);

@@ -2,6 +2,7 @@
 // Checks of controllers, equilibria, gravity, platform, contact and coupling.
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
+#include "fitted/constants.h"
 
 #include <fmt/format.h>
 
@@ -51,11 +52,10 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
     without(scene.dipoles.has_value(), {"dipoles"}, "dipoles");
 }
 
-// Limit of the strength in the implicit scheme. Beside a body at rest, a velocity that
-// alternates from step to step decays for strengths below 1/4 divided by the fraction
-// (1/8 in a volume of markers) by which the scheme pulls it back: 2. Above, each step
-// converges, yet the run gains energy.
-constexpr double max_implicit_strength = 2;
+// Limit of the strength in the implicit scheme, 2. Beside a body at rest, a velocity that
+// alternates from step to step decays for strengths below 1/4 divided by the fraction by
+// which the scheme pulls it back. Above, each step converges, yet the run gains energy.
+constexpr double max_implicit_strength = 1 / (4 * fitted::drawn_back_penalty);
 
 // Refuses forcing: no_slip where it was asked for and cannot be. The default avoids this
 // (usual_forcing).

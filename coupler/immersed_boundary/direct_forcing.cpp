@@ -6,6 +6,7 @@
 
 #include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/immersed_boundary/running_mean.h"
+#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 
@@ -76,8 +77,8 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
 // Row sums are bounded from below, since the stable substep depends on the largest kappa.
 void PenaltyForce::divide_by(std::span<const double> row_sum) {
     for (std::size_t m = 0; m < kappa_.size(); ++m)
-        kappa_[m] =
-            no_slip_strength * own_kappa_[m] / std::max(row_sum[m], least_row_sum);
+        kappa_[m] = fitted::no_slip_strength * own_kappa_[m] /
+                    std::max(row_sum[m], fitted::least_row_sum);
 }
 
 void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {

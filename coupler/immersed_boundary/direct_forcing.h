@@ -18,13 +18,14 @@
 
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/options.h"
+#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 
 // The way in which the enclosed fluid's acceleration A follows dU/dt (EnclosedFluid).
 struct EnclosedFollow {
-    double part = 0.1;         // share of a change taken on per coupled step
-    bool without_lag = false;  // A = 2 M - N instead of M
+    double part = fitted::enclosed_part;  // share of a change taken on per coupled step
+    bool without_lag = false;             // A = 2 M - N instead of M
 };
 
 // A Lagrangian marker: a material point of the body that its element carries through the
@@ -72,14 +73,14 @@ struct EnclosedFluidScale {
 
 // The way in which a body's markers follow in the serial scheme. density_ratio: density
 // of the body over that of the fluid, 0 if its nodes keep their whole mass. The limits
-// are measured (docs/lab/coupling_measurements.md, enclosed fluid): without lag sheets of
-// a tenth of the fluid's density gain energy from a part of 0.48 on with the 3-point
-// kernel, from 0.2 on with the 2-point kernel, and a ball of density ratio 1.1 vibrates
-// even sooner.
+// are measured (docs/lab/coupling_measurements.md, enclosed fluid).
 constexpr EnclosedFollow enclosed_follow_of(double density_ratio, Kernel kernel) {
-    if (density_ratio >= 0.5) return {.part = 0.3};
-    const double most = kernel == Kernel::two_point ? 0.15 : 0.3;
-    return {std::clamp(3 * density_ratio, EnclosedFollow{}.part, most), true};
+    using namespace fitted;
+    if (density_ratio >= dense_from_ratio) return {.part = enclosed_part_of_dense};
+    const double most =
+        kernel == Kernel::two_point ? enclosed_most_two_point : enclosed_most;
+    return {std::clamp(enclosed_part_per_ratio * density_ratio, enclosed_part, most),
+            true};
 }
 
 // The fluid that fills the body's own volume on the fluid's grid, as far as its mass was
@@ -93,9 +94,8 @@ constexpr EnclosedFollow enclosed_follow_of(double density_ratio, Kernel kernel)
 // Stability. The immersed boundary ties body and fluid within the step, so an error of A
 // accelerates the body's mass, the fluid inside and the added mass together and comes
 // back smaller by rho_f / (rho_s + rho_f (1 + C_added)). But the fluid's pressure, which
-// C_added stands for, needs some steps to travel through the body: with A = dU/dt runs
-// diverged below a density ratio of 0.4, at a fifth of that rate below 0.05, while at a
-// tenth a sheet of 0.01 times the fluid's density runs.
+// C_added stands for, needs some steps to travel through the body: light bodies run only
+// if A follows slowly (fitted::enclosed_part).
 //
 // Energy. An A that lags by a time T works as if it drove the body: rho_f dV A
 // (dU/dt - A) = rho_f dV T (dA/dt)^2 and more. A sheet of a tenth of the fluid's density
@@ -174,9 +174,9 @@ class PenaltyForce {
     // the value at its middle. To be called after begin_step.
     void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
 
-    // Sets the coefficients for forcing no_slip: their own values times no_slip_strength,
-    // over the row sums of the marker system or least_row_sum, whichever is larger
-    // (no_slip.h).
+    // Sets the coefficients for forcing no_slip: their own values times
+    // fitted::no_slip_strength, over the row sums of the marker system or
+    // fitted::least_row_sum, whichever is larger (no_slip.h).
     void divide_by(std::span<const double> row_sum);
 
     // Holds U at another value than begin_step was given, which then counts for the

@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "coupler/immersed_boundary/running_mean.h"
+#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 
 namespace {
-
-constexpr double weight_of_last_step = 0.1;  // weight in the running means
 
 // The part of v parallel to a surface; the normal may have any length.
 Vec3 along(const Vec3& v, const Vec3& normal) {
@@ -53,7 +52,7 @@ void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean
             along(mean_velocity[m], area_vector(beyond.marker, beyond.area, position));
         for (std::size_t d = 0; d < 3; ++d) {
             const double change = now[d] - last_along_[m][d];
-            add_to_means(change, weight_of_last_step, mean_[m][d], mean_of_mean_[m][d]);
+            add_to_means(change, fitted::layer_weight, mean_[m][d], mean_of_mean_[m][d]);
             given_[m][d] += beyond.mass_kg * (2 * mean_[m][d] - mean_of_mean_[m][d]);
         }
         last_along_[m] = now;

@@ -33,6 +33,7 @@
 #include <vector>
 
 #include "coupler/immersed_boundary/direct_forcing.h"
+#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 
@@ -48,12 +49,6 @@ struct NoSlipAnswer {
         passed.resize(markers);
     }
 };
-
-// Smallest row sum that forces are divided by. Isolated markers, at a rim or beside an
-// obstacle, have small row sums, and their kappa would need too many substeps.
-constexpr double least_row_sum = 0.25;
-
-constexpr double no_slip_strength = 0.75;  // s in the equations above
 
 // The quantities that gain and leak depend on, all on the grid at the bodies: the fluid's
 // viscosity, the largest speed that the run should resolve (0 if not known), spacing and
@@ -71,9 +66,7 @@ struct SlipRates {
 };
 
 // Gain and leak for a fluid and a step. The gain is 1/4; it falls with the viscosity nu
-// dt / h^2 beyond 0.1, which is a relaxation time of 0.8. With a constant 1/4 a settling
-// ball of 9 spacings diverges at a relaxation time of 1.19, with 1/2 one of 6 spacings
-// from 1.16 on.
+// dt / h^2 beyond 0.1, which is a relaxation time of 0.8.
 //
 // Under steady forces the slip that remains is leak / gain (r f - g). There f is
 // proportional to the step, whereas the velocity that the force F of a single marker can
@@ -87,19 +80,18 @@ struct SlipRates {
 // below 0.008 / max(0.1, nu dt / h^2). The leak is at most the gain, at which the memory
 // holds nothing more.
 //
-// In the core of sheets the leak is four times as large: a strip seven layers thick,
-// which diverged with the 2-point kernel, then has a fourth of p and runs. In the middle
-// of balls this leak would take 1 % off their drag.
+// In the core of sheets the leak is four times as large.
 inline SlipRates slip_rates(const SlipScale& scale) {
-    constexpr double most_gain = 0.25, fully_gains_until = 0.1;
-    constexpr double usual_speed = 0.05;  // h a step
+    using namespace fitted;
     const double per_step = scale.coupled_step_s / scale.spacing_m;
-    const double speed = scale.speed_m_s > 0 ? scale.speed_m_s * per_step : usual_speed;
+    const double speed =
+        scale.speed_m_s > 0 ? scale.speed_m_s * per_step : usual_lattice_speed;
     const double viscous = scale.viscosity_m2_s * per_step / scale.spacing_m;
     const double ruling = std::max(fully_gains_until, viscous);
     const double gain = most_gain * fully_gains_until / ruling;
-    const double of_gain = std::clamp(0.008 / (viscous + 2 * speed), 0.008 / ruling, 1.0);
-    return {gain, of_gain * gain, std::min(4 * of_gain, 1.0) * gain};
+    const double of_gain = std::clamp(leak_over_gain / (viscous + leak_per_speed * speed),
+                                      leak_over_gain / ruling, 1.0);
+    return {gain, of_gain * gain, std::min(core_leak * of_gain, 1.0) * gain};
 }
 
 // The memory p of the slip at this rank's markers [m/s].

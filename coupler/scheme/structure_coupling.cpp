@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupler/scheme/structure_coupling.h"
+#include "fitted/constants.h"
 
 #include <fmt/format.h>
 
@@ -22,10 +23,7 @@ constexpr double rest_lattice_speed = 1e-9;
 // Beside a body at rest that takes back s times the slip in a step, the amplification of
 //   U(n+1) - U(n) = -2 s mean(U)
 // is above -1 for s < 1 / (4 drawn_back): 2 with an eighth. In forcing no_slip s is 3/4
-// (no_slip.h) and the part a fifth, which leaves four fifths of what alternates: with an
-// eighth the swimmer at 0.2 mm diverged after 1560 steps of 20 us, one of 5000 kg/m3
-// after 219.
-constexpr double drawn_back_penalty = 0.125, drawn_back_no_slip = 0.2;
+// (no_slip.h) and the part a fifth, which leaves four fifths of what alternates.
 
 struct Line {
     std::vector<Vec3> start, end;
@@ -261,8 +259,9 @@ void StructureCoupling::keep_state() {
 void StructureCoupling::guess_velocity() {
     const auto guess = fixed_point_->guess();
     begin_force(guess);
-    const Line line = line_to(guess, fluid_velocity_, last_velocity_,
-                              no_slip_ ? drawn_back_no_slip : drawn_back_penalty);
+    const Line line =
+        line_to(guess, fluid_velocity_, last_velocity_,
+                no_slip_ ? fitted::drawn_back_no_slip : fitted::drawn_back_penalty);
     // If U were held at the value of the step's end the fluid would lead the body by half
     // a step, a negative added mass of kappa dt / 2 per marker, as large as the fluid
     // that the marker moves: light sheets would diverge.

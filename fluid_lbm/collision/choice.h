@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "fitted/constants.h"
 #include "fluid_lbm/options.h"
 #include "fluid_lbm/rheology.h"
-#include "fluid_lbm/units.h"
 
 namespace magfsi::fluid {
 
@@ -24,9 +24,8 @@ struct CollisionCase {
 // fluid enters with its viscosity at the rate speed / spacing.
 inline double cell_reynolds_number(const Options& options, double expected_speed_m_s,
                                    double spacing_m, double relaxation_time) {
-    constexpr double usual_lattice_speed = 0.05;
     const double speed = expected_speed_m_s;
-    if (!(speed > 0)) return 3 * usual_lattice_speed / (relaxation_time - 0.5);
+    if (!(speed > 0)) return 3 * fitted::usual_lattice_speed / (relaxation_time - 0.5);
     double least_m2_s = options.viscosity_m2_s;
     if (options.rheology)
         least_m2_s = std::min(
@@ -35,20 +34,20 @@ inline double cell_reynolds_number(const Options& options, double expected_speed
 }
 
 // Magic number of recursive_mrt. It is large on grids that resolve the flow, where 3/16
-// puts walls in their place, and small on coarse ones, where odd modes must decay. The
-// swimmer has a cell Reynolds number of 100 at 0.2 mm: there 0.0075 runs for three
-// periods, 0.01 for two and 0.05 for a fifth of one. From 60 on the number falls with the
-// square of the Reynolds number, to stay well below these. It does not depend on the time
-// step if the expected speed is given.
+// puts walls in their place, and small on coarse ones, where odd modes must decay; from a
+// Reynolds number of 60 on it falls with the square. It does not depend on the time step
+// if the expected speed is given.
 constexpr double recursive_magic(double cell_reynolds_number) {
-    const double steep = std::max(1.0, cell_reynolds_number / 60);
-    return std::clamp(0.75 / (cell_reynolds_number * steep), 0.001, 3.0 / 16);
+    using namespace fitted;
+    const double steep = std::max(1.0, cell_reynolds_number / steep_from_reynolds);
+    return std::clamp(magic_times_reynolds / (cell_reynolds_number * steep),
+                      least_magic_number, 3.0 / 16);
 }
 
 // True from the relaxation time at which trt is chosen, to six digits: rounding must not
 // decide for a viscosity that was chosen to give exactly 0.55.
 constexpr bool reaches_trt(double relaxation_time) {
-    return relaxation_time > trt_from - 1e-6;
+    return relaxation_time > fitted::trt_from - 1e-6;
 }
 
 // True if a side is a wall that moves along itself.

@@ -10,6 +10,7 @@
 // velocity: a velocity that is taken from inside and carried in again would grow.
 #include <cmath>
 
+#include "fitted/constants.h"
 #include "fluid_lbm/boundary/outflow.h"
 
 namespace magfsi::fluid {
@@ -19,9 +20,6 @@ namespace {
 using namespace d3q19;
 
 const double cs = std::sqrt(cs2);
-// Factor of the pull k; 0.1 to 0.58 are useful values. Sound of a wave length of L
-// reflects by a few per cent, and the mean pressure settles in about 4 L / cs steps.
-constexpr double pull_strength = 0.25;
 
 // Flow of a cell at the side, from its populations that do not enter there, the flow in
 // the next cell inwards, and the entering characteristic.
@@ -73,7 +71,7 @@ PressureOutlet::PressureOutlet(const SideContext& in, int side, const CellBox& s
       outward_(-inward(side)),
       target_pressure_(cs2 * (in.config.boundaries[side].outlet_pressure_pa /
                               units(in.config).pressure_pa())),
-      pull_(pull_strength * cs / in.config.cells[axis_]),
+      pull_(fitted::pull_strength * cs / in.config.cells[axis_]),
       cells_(outflow_cells(in, side, open_cells(in, side, side_cells))),
       entering_(cells_.size()) {}
 

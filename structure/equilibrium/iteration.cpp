@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/equilibrium/iteration.h"
+#include "fitted/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,11 +94,6 @@ double Motion::largest_fraction() const {
     return angle > largest_angle ? largest_angle / angle : 1.0;
 }
 
-// Range of the volume ratio within which an iteration still converges; the energy U is
-// not convex above J = e^(1 + G/K).
-constexpr double smallest_ratio = 0.1;
-constexpr double largest_ratio = 2.5;
-
 // The independent volume ratios theta and pressures p [Pa] of the mixed method, by
 // element.
 class MixedVolumes {
@@ -144,7 +140,8 @@ class MixedVolumes {
             const double goal = stress.pressure_pa + stress.modulus_pa * change;
             pressure_[e] += fraction * (goal - pressure_[e]);
             ratio_[e] += fraction * change;
-            sound = sound && ratio_[e] > smallest_ratio && ratio_[e] < largest_ratio;
+            sound = sound && ratio_[e] > fitted::smallest_volume_ratio &&
+                    ratio_[e] < fitted::largest_volume_ratio;
         }
         return sound;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted/constants.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -86,7 +87,8 @@ double platform_stiffness_pa_m(const Material& material, double thickness_m) {
     if (!(thickness_m > 0)) {
         refuse("thickness of {:g} m found, it must be positive", thickness_m);
     }
-    return 0.5 * (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
+    return fitted::platform_stiffness *
+           (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
 }
 
 Platform with_stiffness(const Platform& platform, std::span<const Body> bodies) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "fitted/constants.h"
 #include "structure/lattice/hexahedron.h"
 
 namespace magfsi::structure {
@@ -16,10 +17,6 @@ using Masses = std::vector<std::array<double, 8>>;
 // Direction in which mass moves, for each element and local direction: 1 up, -1 down, 0
 // in elements inside the body or with both faces on the surface.
 using Inwards = std::vector<std::array<int, 3>>;
-
-// Largest share. A node loses at most twice this of its mass along a direction. Two
-// elements need 1/6.
-constexpr double largest_share = 0.2;
 
 // Nodes of an element's lower or upper face along d, sorted.
 std::array<int, 4> side(const Hexahedron& element, int d, int upper) {
@@ -142,7 +139,7 @@ Masses corrected_kg(const Body& body) {
             const double gained = none.central(d) - now.central(d);
             if (!(gained > 1e-9 * wanted.central(d))) continue;
             share[d] *= (none.central(d) - wanted.central(d)) / gained;
-            share[d] = std::clamp(share[d], 1e-3, largest_share);
+            share[d] = std::clamp(share[d], 1e-3, fitted::most_moved_mass);
         }
     }
     return moved(spread, signs, share);

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "fitted/constants.h"
 #include "structure/mesh/mesh_check.h"
 
 namespace magfsi::structure {
@@ -82,8 +83,8 @@ Chords find_chords(const Mesh& mesh, const Neighbours& behind) {
 }
 
 // Numbers of the shortest chords of all elements, if for every element it is shorter than
-// three quarters of the others, all elements on it agree, and all have the same number of
-// elements. Empty otherwise.
+// the others by the factor sheet_chord, all elements on it agree, and all have the same
+// number of elements. Empty otherwise.
 std::vector<int> columns_across(const Chords& chords) {
     std::vector<std::size_t> votes(chords.all.size(), 0);
     for (const auto& mine : chords.of_element) {
@@ -91,7 +92,7 @@ std::vector<int> columns_across(const Chords& chords) {
         for (int d = 0; d < 3; ++d)
             by_length[d] = {chords.all[mine[d]].length_m, mine[d]};
         std::ranges::sort(by_length);
-        if (!(by_length[0].first < 0.75 * by_length[1].first)) return {};
+        if (!(by_length[0].first < fitted::sheet_chord * by_length[1].first)) return {};
         ++votes[by_length[0].second];
     }
     std::vector<int> columns;

@@ -44,7 +44,7 @@ TEST(WallOfPlanes, FindsPlanesAsThickAsABody) {
             // Between the widest of n planes and the closest of n + 1 there are gaps.
             EXPECT_NEAR(found, body, 0.2) << planes.count << " x " << planes.apart;
             EXPECT_GE(planes.apart, 0.75);
-            EXPECT_LE(planes.apart, planes.count == 2 ? 2.0 : widest_apart);
+            EXPECT_LE(planes.apart, planes.count == 2 ? 2.0 : fitted::widest_apart);
         }
     }
 }

@@ -139,7 +139,8 @@ TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
     for (int step = 0; step < 2000; ++step) {
         const auto felt = memory.felt(rest);
         std::vector<Vec3> uneven(2);
-        for (std::size_t m = 0; m < 2; ++m) uneven[m][0] = -no_slip_strength * felt[m][0];
+        for (std::size_t m = 0; m < 2; ++m)
+            uneven[m][0] = -fitted::no_slip_strength * felt[m][0];
         memory.add(rest, rest, uneven);
     }
     EXPECT_LT(std::abs(memory.values()[0][0]), 1e-9);

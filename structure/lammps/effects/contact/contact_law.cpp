@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fitted/constants.h"
 #include "structure/body.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
@@ -80,7 +81,7 @@ double contact_distance_m(const std::vector<Body>& bodies) {
             }
         }
     }
-    return 0.75 * longest;
+    return fitted::contact_distance * longest;
 }
 
 double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m) {
@@ -94,7 +95,7 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
                                material.lame_lambda_pa + 2 * material.shear_modulus_pa);
         }
     }
-    return 0.25 * softest / distance_m;
+    return fitted::contact_stiffness * softest / distance_m;
 }
 
 double contact_spring_pa_m(const Body& body, const ContactLaw& law) {
