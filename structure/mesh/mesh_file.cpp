@@ -94,8 +94,7 @@ Mesh read_mesh_file(const std::filesystem::path& file) {
     Mesh mesh;
     mesh.nodes = lines.nodes(0);
     mesh.region_names.resize(lines.count("regions", 0));
-    for (std::string& name : mesh.region_names)
-        name = lines.next("a region's name").str();
+    for (std::string& name : mesh.region_names) name = lines.verbatim("a region's name");
     read_elements(lines, mesh);
     mesh.faces = read_groups(lines, "faces", mesh.nodes.size());
     mesh.points = read_groups(lines, "points", mesh.nodes.size());
@@ -151,6 +150,13 @@ std::istringstream NumberedLines::next(const std::string& expected) {
         }
     }
     fail(expected);
+}
+
+std::string NumberedLines::verbatim(const std::string& expected) {
+    std::string text;
+    if (!std::getline(stream_, text)) fail(expected);
+    ++number_;
+    return text;
 }
 
 std::size_t NumberedLines::count(const std::string& keyword, std::size_t least) {

@@ -141,6 +141,7 @@ TEST(BlockMesh, RefusesEmptyBoxesAndPlates) {
 
 TEST(MeshFile, ReadsBackExactly) {
     Mesh mesh = oblique_mesh({2, 2, 1.0 / 3, 0.7, 1, 0.1, {2, 2, 1}});
+    mesh.region_names[0] = "#1 steel";
     mesh.points["the tip"] = {3};
     mesh.points["centre_line"] = {4, 0, 2, 1, 3};
     const test::TemporaryFolder folder;
