@@ -254,14 +254,21 @@ std::string EnergyAudit::fault() const {
 // In the parallel scheme the fluid answers a step late: in a volume of markers a mode
 // that alternates from step to step does not decay from a strength of 2/3 on. Near a
 // wall, where a kernel has fewer cells, this limit is lower.
-const char* EnergyAudit::advice() const {
+std::string EnergyAudit::advice() const {
     if (scene_.coupling && scene_.coupling->scheme == coupler::Scheme::parallel &&
         scene_.coupling->immersed_boundary.strength > 0.5)
         return "in the parallel scheme forces act a step late, which bodies of several "
                "cells' thickness bear up to a coupling.immersed_boundary.strength of "
                "0.5: take that, or coupling.scheme: serial";
-    return "take a smaller step (fluid.lattice_speed, or more coupling.substeps), the "
-           "automatic collision, or a strength of at most 1";
+    std::string text = "take a smaller time.step";
+    if (!scene_.coupling) return text;
+    text += ", more coupling.substeps";
+    if (scene_.fluid->solver == scene::FluidSolver::lbm &&
+        scene_.fluid->collision != fluid::Collision::automatic)
+        text += ", collision: automatic";
+    if (scene_.coupling->immersed_boundary.strength > 1)
+        text += ", a coupling.immersed_boundary.strength of at most 1";
+    return text;
 }
 
 output::EnergySummary EnergyAudit::summary() const {

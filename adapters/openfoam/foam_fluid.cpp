@@ -261,8 +261,7 @@ void FoamFluid::check_divergence() {
     const scene::Vec3 at = centre(fastest.cell);
     throw coupler::Diverged(
         fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "
-                    "{:.3g} cells "
-                    "per step; take a smaller step (fluid.courant) or a finer spacing",
+                    "{:.3g} cells per step; take a smaller time.step",
                     at[0], at[1], at[2], fastest.speed_m_s, courant));
 }
 
