@@ -383,7 +383,9 @@ int main(int argc, char** argv) {
                      [](const scene::Scene& scene, coupler::Session& session,
                         const coupler::ParticipantArguments& arguments) {
                          if (scene.bodies.empty())
-                             throw std::invalid_argument("the scene has no bodies");
+                             throw std::invalid_argument(
+                                 "the scene has no bodies; use ./magfsi run SCENE, "
+                                 "which starts what it has");
                          const auto& rest = scene.time.equilibrium;
                          if (rest && rest->method == scene::EquilibriumMethod::newton)
                              throw std::invalid_argument(

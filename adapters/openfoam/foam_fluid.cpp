@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 
 #include "adapters/openfoam/case.h"
 #include "adapters/openfoam/engine_library.h"
@@ -43,7 +45,8 @@ std::string way_for_openfoam(const std::filesystem::path& folder) {
     if (words::path_word(way) == way) return way;
     const int descriptor = open(way.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
-        throw std::runtime_error(fmt::format("the folder {} cannot be opened", way));
+        throw std::runtime_error(
+            fmt::format("the folder {} cannot be opened: {}", way, std::strerror(errno)));
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 

@@ -153,7 +153,8 @@ RestartPoint find_named(const fs::path& file, const RunPlan& plan) {
     try {
         point.header = read_through(point.folder, *step, plan);
     } catch (const StateFault& fault) {
-        throw std::invalid_argument(fmt::format("--restart: {}", fault.what()));
+        throw std::invalid_argument(fmt::format(
+            "--restart: {}; take latest, or the file of another step", fault.what()));
     }
     return point;
 }

@@ -57,7 +57,7 @@ bool step_is_repeated(const World& world, const Occasion& when, double timeout_s
     if (note[0] == when.step && note[1] == when.iteration) return note[2] != 0;
     throw PartnerLost(fmt::format(
         "the two sides are out of step: convergence of step {}, iteration {}, expected "
-        "step {}, iteration {}",
+        "step {}, iteration {}; start both with the same scene, from the same build",
         note[0], note[1], when.step, when.iteration));
 }
 

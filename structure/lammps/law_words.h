@@ -104,7 +104,8 @@ inline std::vector<double> numbers_of(std::span<const std::string> words) {
 // laws that there are, if there is no such law.
 template <class... Laws>
 void read_law(std::variant<Laws...>& out, std::span<const std::string> words) {
-    if (words.empty()) refuse("a name is needed");
+    if (words.empty())
+        refuse("no word found for a law; its name is needed, and its numbers");
     // Laws that are not made of numbers alone come first.
     const auto read_words = [&]<class Law>(std::type_identity<Law>) {
         if constexpr (requires { LawWords<Law>::read_words(words); }) {

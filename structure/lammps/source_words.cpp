@@ -134,7 +134,10 @@ struct Group {
     std::size_t taken = 0;
 
     double take() {
-        if (taken == numbers.size()) refuse("\"{}\" with too few numbers found", word);
+        if (taken == numbers.size())
+            refuse(
+                "\"{}\" with {} numbers found for a source of the field, more are needed",
+                word, numbers.size());
         return numbers[taken++];
     }
     Vec3 take3() {
@@ -143,7 +146,11 @@ struct Group {
     }
     std::size_t left() const { return numbers.size() - taken; }
     Formula formula(std::size_t i = 0) const {
-        if (i >= texts.size()) refuse("\"{}\" with too few formulas found", word);
+        if (i >= texts.size())
+            refuse(
+                "\"{}\" with {} formulas found for a source of the field, more are "
+                "needed",
+                word, texts.size());
         value_or_nan(texts[i], 0);  // refuses what is none
         return {texts[i], texts[i]};
     }
@@ -213,7 +220,8 @@ bool read_shape(Group& g, SourceShape& out) {
     } else if (g.word == "system") {
         out = CoilSystem{};
     } else if (g.word == "grid") {
-        if (g.texts.size() != 1) refuse("\"grid\" without one file found");
+        if (g.texts.size() != 1)
+            refuse("\"grid\" with {} files found, one is needed", g.texts.size());
         out = GridField{words::path_of_word(g.texts.front())};
     } else {
         return false;
@@ -325,8 +333,15 @@ FieldSource source_from(const std::string& text) {
         const bool known = &g == &groups.front() || read_member(g, source.shape) ||
                            read_place(g, source) || read_strength(g, source) ||
                            read_motion(g, source);
-        if (!known) refuse("\"{}\" found in a source of the field", g.word);
-        if (g.left() > 0) refuse("\"{}\" with too many numbers found", g.word);
+        if (!known)
+            refuse(
+                "\"{}\" found in a source of the field of the kind {}, which has no such "
+                "word",
+                g.word, groups.front().word);
+        if (g.left() > 0)
+            refuse(
+                "\"{}\" with {} numbers found for a source of the field, {} are allowed",
+                g.word, g.numbers.size(), g.taken);
     }
     return source;
 }

@@ -83,7 +83,8 @@ class NumberedLines {
     std::string kind_;
     std::filesystem::path file_;
     std::ifstream stream_;
-    int number_ = 0;  // number of the line read last
+    int number_ = 0;    // number of the line read last
+    std::string last_;  // that line
 };
 
 }  // namespace magfsi::structure
