@@ -193,7 +193,8 @@ void check_probes(const Scene& scene, const Marks& marks) {
     const Origin& audit = marks.value({"probes", "energy_audit"});
     require_with(!probes.energy_audit || bodies, audit, "energy_audit", "bodies");
     require(!probes.energy_audit || !scene.time.equilibrium, audit,
-            "energy_audit of a path of equilibria", "it in runs with motion only");
+            "energy_audit of a path of equilibria", "it in runs with motion only",
+            "remove this key, or time.equilibrium");
     for (const PointProbe& point : probes.points) check_point(scene, point, marks);
     check_integrals(scene, marks);
 }

@@ -76,8 +76,8 @@ def _expected(reference, run, times, finest):
         t, v = np.array(reference.times), np.array(reference.values)
         inside = (t >= times[0] - 1e-9 * times[-1]) & (t <= times[-1] * (1 + 1e-9))
         if not inside.any():
-            raise NoError(f"the table is of {t[0]:g} s to {t[-1]:g} s and the run of {times[0]:g} s "
-                          f"to {times[-1]:g} s: they have no time in common")
+            raise NoError(f"the table is of {t[0]:g} s to {t[-1]:g} s and the run of "
+                          f"{times[0]:g} s to {times[-1]:g} s: they have no time in common")
         return t[inside], v[inside]
     t, v = finest
     inside = times <= t[-1] * (1 + 1e-9)
