@@ -180,8 +180,7 @@ void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
     scene::require(markers <= scene::max_markers, {fmt::format("body '{}'", body.name)},
                    fmt::format("up to {:.3g} markers", markers),
                    fmt::format("at most {:.0f}", scene::max_markers),
-                   "take a larger fluid.spacing or "
-                   "coupling.immersed_boundary.marker_spacing");
+                   scene::fewer_markers(scene));
     if (!scene.probes) return;
     constexpr std::size_t points_of_a_shape = 4;
     scene::require(std::ranges::find(scene.probes->bodies, scene::BodyQuantity::shape) ==

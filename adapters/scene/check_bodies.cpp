@@ -82,8 +82,7 @@ void check_marker_count(const Scene& scene, const Body& body, const Box& box,
     require(markers <= max_markers,
             marks.value({"coupling", "immersed_boundary", "marker_spacing"}),
             fmt::format("up to {:.3g} markers on \"{}\"", markers, body.name),
-            fmt::format("at most {:.0f}", max_markers),
-            "take a larger fluid.spacing or coupling.immersed_boundary.marker_spacing");
+            fmt::format("at most {:.0f}", max_markers), fewer_markers(scene));
 }
 
 // Checks a marker spacing given in the scene against the longest edge of the block's
@@ -308,6 +307,14 @@ double most_markers(const Scene& scene, const Vec3& extent_m) {
     const double faces = 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
     return boundary.markers == coupler::Markers::volume ? faces + n[0] * n[1] * n[2]
                                                         : faces;
+}
+
+const char* fewer_markers(const Scene& scene) {
+    return scene.coupling &&
+                   scene.coupling->immersed_boundary.forcing == coupler::Forcing::no_slip
+               ? "take a larger fluid.spacing"
+               : "take a larger fluid.spacing or "
+                 "coupling.immersed_boundary.marker_spacing";
 }
 
 bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m,

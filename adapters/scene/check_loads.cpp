@@ -192,12 +192,18 @@ void check_platform(const Scene& scene, const Marks& marks) {
             "a normal of length 0", "any other vector such as [0, 0, 1]");
     check_not_behind(scene, marks);
     check_in_box(scene, marks);
+    // Gravity brings free bodies only, and does not where it is there already.
+    const bool may_fall =
+        !scene.gravity && std::ranges::any_of(scene.bodies, [](const Body& body) {
+            return body.clamps.empty();
+        });
     require(!std::ranges::all_of(scene.bodies,
                                  [&](const Body& b) { return out_of_reach(scene, b); }),
             marks.key({"platform"}), "a platform that no body can touch",
             "one within reach of a body, or bodies that gravity or a field gradient "
             "brings to it",
-            "move platform.point, add \"gravity\", or remove the key");
+            may_fall ? "move platform.point, add gravity towards it, or remove the key"
+                     : "move platform.point, or remove the key");
 }
 
 // Refuses options that a structure of the user's own cannot follow.

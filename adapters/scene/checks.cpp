@@ -172,7 +172,10 @@ void check_probes(const Scene& scene, const Marks& marks) {
     require_with(!asks(probes.fluid, FluidQuantity::obstacle_force) ||
                      !scene.fluid->obstacles.empty(),
                  marks.value({"probes", "fluid"}), "the probe obstacle_force",
-                 "obstacles", "add fluid.obstacles");
+                 "obstacles",
+                 fluid && scene.fluid->solver != FluidSolver::lbm
+                     ? "leave it out: only fluid.solver: lbm has obstacles"
+                     : "add fluid.obstacles");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_force) || fluid,
                  marks.value({"probes", "bodies"}), "the probe fluid_force", "a fluid");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_torque) || fluid,

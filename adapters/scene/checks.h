@@ -104,6 +104,8 @@ constexpr double max_markers = 500'000;
 // Upper bound of the number of markers of a body with this bounding box: over both faces
 // and the rim of a block, or over the volume. 0 without a fluid.
 double most_markers(const Scene& scene, const Vec3& extent_m);
+// Advice for a body with too many markers; forcing no_slip places them by itself.
+const char* fewer_markers(const Scene& scene);
 
 // True if a body of this extent [m] spans the fluid's box along the axis: from one
 // periodic side to the other, or between walls so that no fluid passes.
