@@ -102,7 +102,9 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
 }
 
 void require_solver(const scene::Scene& scene, scene::FluidSolver solver) {
-    if (!scene.fluid) throw std::invalid_argument("the scene has no fluid");
+    if (!scene.fluid)
+        throw std::invalid_argument(
+            "the scene has no fluid; use ./magfsi run SCENE, which starts what it has");
     if (scene.fluid->solver == solver) return;
     throw std::invalid_argument(fmt::format(
         "the scene's fluid.solver is {}; start magfsi-fluid-{} for it, or use "

@@ -136,7 +136,10 @@ int run_structure(const std::string& description, int argc, char** argv,
         coupler::Role::structure, description, argc, argv,
         [&](const scene::Scene& scene, coupler::Session& session,
             const coupler::ParticipantArguments& arguments) {
-            if (!scene.fluid) throw std::invalid_argument("the scene has no fluid");
+            if (!scene.fluid)
+                throw std::invalid_argument(
+                    "the scene has no fluid; a structure of your own needs the key "
+                    "fluid");
             const double step_s = *scene::coupled_step_s(scene);
             session.begin(step_s);
             Participant(scene, session, make(scene, step_s), arguments.progress).run();

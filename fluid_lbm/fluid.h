@@ -54,9 +54,10 @@ struct Divergence {
     Vec3 position_m{};          // centre of the cell [m]
     double density = 0;         // relative to the density at rest
     double lattice_force = 0;  // change of speed in one step by the force, cells per step
-    double relaxation_time = 0;  // tau of the constant viscosity, in steps
+    double relaxation_time = 0;  // tau in steps; of the cell's own viscosity
     std::int64_t step = 0;       // steps done when the cell was in this state
     DivergenceCause cause = DivergenceCause::speed;
+    std::string remedy;  // the cause in words, and what the configuration allows to do
     std::optional<int> level;  // level of a refined grid that cell and step belong to
 };
 // One sentence for the user: the place, the values, the likely cause and a remedy.

@@ -100,8 +100,10 @@ const char* fault_of(double value) {
 double value_at(const std::string& si, double time_s) {
     const double value = value_or_nan(si, time_s);
     if (!std::isfinite(value))
-        throw std::runtime_error(fmt::format("the formula {} is {} at t = {:.9g} s", si,
-                                             fault_of(value), time_s));
+        throw std::runtime_error(
+            fmt::format("the formula {} is {} at t = {:.9g} s; give it a value at all "
+                        "times of the run",
+                        si, fault_of(value), time_s));
     return value;
 }
 

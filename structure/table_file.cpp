@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <cerrno>
+#include <cstring>
 
 #include <algorithm>
 #include <cctype>
@@ -72,7 +74,9 @@ class TableReader {
     // Macintosh line ends. UTF-16 is refused.
     void read_lines() {
         std::ifstream stream(file_, std::ios::binary);
-        if (!stream) refuse("cannot open the {} {}", what_, file_.string());
+        if (!stream)
+            refuse("cannot open the {} {}: {}", what_, file_.string(),
+                   std::strerror(errno));
         std::string all{std::istreambuf_iterator<char>(stream), {}};
         if (all.find('\0') != std::string::npos)
             fail(1, "bytes of 0 found, as in UTF-16; save it as a CSV file in UTF-8");

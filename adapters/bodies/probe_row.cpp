@@ -69,8 +69,9 @@ std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh
     }
     if (std::ranges::find(in, true) == in.end())
         throw std::invalid_argument(fmt::format(
-            "probes.integrals: no element of body '{}' has its centre in the box",
-            part.body));
+            "probes.integrals: no element of body '{}' has its centre in the box, which "
+            "reaches from ({:.6g}) m to ({:.6g}) m in the body's frame; make it larger",
+            part.body, fmt::join(low, ", "), fmt::join(high, ", ")));
     return in;
 }
 

@@ -9,8 +9,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -40,7 +42,10 @@ class TemporaryFolder {
     TemporaryFolder() {
         std::string name = (fs::temp_directory_path() / "magfsi-mesh-XXXXXX").string();
         if (!mkdtemp(name.data()))
-            throw std::runtime_error("no temporary folder can be made: " + name);
+            throw std::runtime_error(fmt::format(
+                "the temporary folder {} cannot be made: {}; set TMPDIR to a folder that "
+                "can be written",
+                name, std::strerror(errno)));
         path_ = name;
     }
     ~TemporaryFolder() {
@@ -92,7 +97,8 @@ std::string text_of(const fs::path& file) {
 // own message.
 structure::Mesh convert(const std::string& file, double unit_m) {
     if (!fs::exists(file))
-        throw std::invalid_argument(fmt::format("no mesh file {}", file));
+        throw std::invalid_argument(fmt::format(
+            "no mesh file {}; its path counts from the scene's folder", file));
     const fs::path converter =
         fs::read_symlink("/proc/self/exe").parent_path() / "magfsi-mesh";
     const TemporaryFolder folder;
@@ -110,7 +116,8 @@ structure::Mesh convert(const std::string& file, double unit_m) {
     std::string message = text_of(messages);
     while (!message.empty() && message.back() == '\n') message.pop_back();
     throw std::invalid_argument(
-        message.empty() ? fmt::format("{} did not run; is it built?", converter.string())
+        message.empty() ? fmt::format("{} did not run; ./magfsi build makes it anew",
+                                      converter.string())
                         : message);
 }
 
@@ -202,7 +209,7 @@ structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& 
     if (found) return *found;
     throw std::invalid_argument(
         fmt::format("body '{}': the point ({:.6g}, {:.6g}, {:.6g}) mm lies in no element "
-                    "of its mesh",
+                    "of its mesh; give a point of the body in its own frame",
                     body.name, at_m[0] * 1e3, at_m[1] * 1e3, at_m[2] * 1e3));
 }
 

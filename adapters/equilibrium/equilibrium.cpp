@@ -344,7 +344,10 @@ int main(int argc, char** argv) {
                 throw std::invalid_argument(
                     "the scene asks for motion; start magfsi-structure for it");
             if (session.world().size() > 1)
-                throw std::invalid_argument("magfsi-equilibrium runs as one process");
+                throw std::invalid_argument(
+                    fmt::format("magfsi-equilibrium runs as one process, {} found; take "
+                                "mpirun -n 1, or ./magfsi run SCENE",
+                                session.world().size()));
             session.begin(scene::path_step_s(scene));
             equilibrium::Participant(scene, session, arguments.progress).run();
         });

@@ -121,8 +121,10 @@ void RestFinder::find(double time_s) {
     throw coupler::Diverged(fmt::format(
         "the bodies did not come to rest within {} steps under the loads of {:.6g} s: "
         "the largest nodal force is {:.3g} of the largest load, {:.3g} is required; "
-        "take a larger time.equilibrium.tolerance or another damping.rate",
-        max_steps_, time_s, ratio, tolerance));
+        "take a larger time.equilibrium.tolerance or {}",
+        max_steps_, time_s, ratio, tolerance,
+        scene_.damping ? "another damping.rate, or leave damping out"
+                       : "the key damping: {rate: ...} with a rate of your own"));
 }
 
 }  // namespace magfsi::lammps

@@ -245,9 +245,21 @@ std::string EnergyAudit::fault() const {
     return fmt::format(
         "the run has gained energy without a source: {:.3g} J more than the energy of "
         "the start, or of a later time, and all works, of which the largest is {:.3g} J; "
-        "take a smaller step (fluid.lattice_speed, or more coupling.substeps), the "
-        "automatic collision, or a strength of at most 1",
-        gained, record_.work);
+        "{}",
+        gained, record_.work, advice());
+}
+
+// The advice for this scene: only what its keys allow.
+std::string EnergyAudit::advice() const {
+    std::string text = "take a smaller time.step";
+    if (!scene_.coupling) return text;
+    text += ", more coupling.substeps";
+    if (scene_.fluid->solver == scene::FluidSolver::lbm &&
+        scene_.fluid->collision != fluid::Collision::automatic)
+        text += ", collision: automatic";
+    if (scene_.coupling->immersed_boundary.strength > 1)
+        text += ", a coupling.immersed_boundary.strength of at most 1";
+    return text;
 }
 
 output::EnergySummary EnergyAudit::summary() const {

@@ -90,6 +90,7 @@ class EnergyAudit {
     std::vector<Column> balance(const Motion& motion, const EnergyTerms& terms) const;
     void note(const Motion& motion, const EnergyTerms& terms, double residual);
     double stored(const EnergyTerms& terms) const;
+    std::string advice() const;
 
     const scene::Scene& scene_;
     NodalState start_;

@@ -99,8 +99,7 @@ void Engine::check_finite(std::int64_t step) const {
     throw coupler::Diverged("the structure diverged: node " +
                             std::to_string(atom.tag[i]) +
                             " has no finite position at step " + std::to_string(step) +
-                            "; take more coupling.substeps, a finer mesh or a weaker "
-                            "field");
+                            "; " + structure::advice_if_unstable());
 }
 
 // Sends one row of seven numbers for each local atom to the root.

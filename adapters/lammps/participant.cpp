@@ -12,6 +12,7 @@
 #include "adapters/lammps/scene_to_input.h"
 #include "adapters/lammps/structure_run.h"
 #include "adapters/run_scene.h"
+#include "adapters/scene/checks.h"
 #include "coupler/checkpoint/checkpoints.h"
 #include "coupler/output/file.h"
 #include "coupler/participants/errors.h"
@@ -167,7 +168,8 @@ void Participant::start_lammps() {
     const auto script =
         generate_input(session_, run_.input, session_.clock().steps() * count);
     structure::set_failure_handler(
-        [](const std::string& cause) { throw coupler::Diverged(cause); });
+        [](const std::string& cause) { throw coupler::Diverged(cause); },
+        advice_if_unstable(scene_));
     const MPI_Comm comm = session_.world().local();
     run_.engine = std::make_unique<Engine>(comm, session_.out() / "lammps.log");
     Engine& engine = *run_.engine;
@@ -345,7 +347,10 @@ coupler::ParticipantReport Participant::make_report() const {
         const auto boundary = coupler::boundary_summary(run_.coupling->slip(),
                                                         session_.plan().given_speed_m_s);
         report.add(boundary);
-        session_.log(coupler::to_text(boundary));
+        const bool can_hold =
+            scene_.coupling->immersed_boundary.forcing == coupler::Forcing::penalty &&
+            !scene::objection_to_no_slip(scene_);
+        session_.log(coupler::to_text(boundary, can_hold));
     }
     if (run_.audit) report.add(run_.audit->summary());
     if (run_.coupling && run_.coupling->iterations())
@@ -376,7 +381,9 @@ int main(int argc, char** argv) {
                      [](const scene::Scene& scene, coupler::Session& session,
                         const coupler::ParticipantArguments& arguments) {
                          if (scene.bodies.empty())
-                             throw std::invalid_argument("the scene has no bodies");
+                             throw std::invalid_argument(
+                                 "the scene has no bodies; use ./magfsi run SCENE, "
+                                 "which starts what it has");
                          const auto& rest = scene.time.equilibrium;
                          if (rest && rest->method == scene::EquilibriumMethod::newton)
                              throw std::invalid_argument(

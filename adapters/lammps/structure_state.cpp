@@ -54,7 +54,7 @@ std::vector<double> rows_of(const StateReader& file, const std::string& table,
     if (shape != std::vector{rows, width}) {
         throw coupler::StateFault(fmt::format(
             "--restart: the checkpoint's table {} is {} x {}, this run's {} x "
-            "{}: a mesh file or another build's markers differ",
+            "{}: a mesh file or another build's markers differ; start without --restart",
             table, shape[0], shape.size() > 1 ? shape[1] : 0, rows, width));
     }
     return file.table(table);

@@ -121,6 +121,13 @@ Substeps choose_substeps(const scene::Scene& scene) {
     return known[key] = chosen_substeps(scene);
 }
 
+std::string advice_if_unstable(const scene::Scene& scene) {
+    const char* step = scene.time.equilibrium ? ""
+                       : scene.fluid          ? "more coupling.substeps, "
+                                              : "a smaller time.step, ";
+    return fmt::format("take {}a finer mesh or weaker loads", step);
+}
+
 StepGuard::StepGuard(const std::vector<structure::Body>& bodies, const Substeps& substeps,
                      MPI_Comm comm)
     : comm_(comm),
@@ -132,6 +139,7 @@ StepGuard::StepGuard(const std::vector<structure::Body>& bodies, const Substeps&
     for (const structure::Body& body : bodies) {
         first_node_.push_back(first);
         first += body.mesh.nodes.size();
+        names_.push_back(body.name);
         if (rank == 0) elements_.emplace_back(body);
     }
     first_node_.push_back(first);
@@ -141,14 +149,19 @@ StepGuard::StepGuard(const std::vector<structure::Body>& bodies, const Substeps&
 // come to the same decision.
 StepGuard::Result StepGuard::check(const bodies::NodalState& state,
                                    const Substeps& now) const {
-    double rise = 0;
+    struct {
+        double rise = 0;
+        double body = 0;
+    } worst;
     const std::span<const bodies::Vec3> nodes(state.position_m);
     for (std::size_t b = 0; b < elements_.size(); ++b) {
         const std::size_t first = first_node_[b];
-        rise = std::max(rise, elements_[b].rise_1_s2(
-                                  nodes.subspan(first, first_node_[b + 1] - first)));
+        const double rise =
+            elements_[b].rise_1_s2(nodes.subspan(first, first_node_[b + 1] - first));
+        if (rise > worst.rise) worst = {rise, static_cast<double>(b)};
     }
-    MPI_Bcast(&rise, 1, MPI_DOUBLE, 0, comm_);
+    MPI_Bcast(&worst, 2, MPI_DOUBLE, 0, comm_);
+    const double rise = worst.rise;
     Result result;
     // An inverted element ends the run in LAMMPS, which names it.
     if (!std::isfinite(rise)) return result;
@@ -161,10 +174,10 @@ StepGuard::Result StepGuard::check(const bodies::NodalState& state,
         std::ceil(now.lammps_step_s / (fitted::chosen_part * result.limit_s)));
     if (now.count * result.factor <= max_refinement * start_.count) return result;
     throw coupler::Diverged(fmt::format(
-        "the bodies are so deformed that their stable step has fallen from {:.3g} to "
-        "{:.3g} us, which needs more than {} times the steps; use a finer mesh or a "
-        "weaker field",
-        start_.elastic_limit_s * 1e6, result.limit_s * 1e6, max_refinement));
+        "body '{}' is so deformed that the stable step has fallen from {:.3g} to {:.3g} "
+        "us, which needs more than {} times the steps; take a finer mesh or weaker loads",
+        names_[static_cast<std::size_t>(worst.body)], start_.elastic_limit_s * 1e6,
+        result.limit_s * 1e6, max_refinement));
 }
 
 }  // namespace magfsi::lammps

@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "adapters/bodies/nodal_state.h"
@@ -54,6 +55,10 @@ struct StepCount {
 // std::invalid_argument if coupling.substeps asks for fewer than are stable, naming both.
 Substeps choose_substeps(const scene::Scene& scene);
 
+// "take more coupling.substeps, ...": what helps bodies that become unstable, in the keys
+// that this scene may have. Equilibria have no step of their own.
+std::string advice_if_unstable(const scene::Scene& scene);
+
 // Keeps LAMMPS's step below the stable step of the bodies in their present shape: where
 // it falls, a coupled step gets more LAMMPS steps.
 class StepGuard {
@@ -80,6 +85,7 @@ class StepGuard {
     Substeps start_;
     std::int64_t every_ = 1;
     std::vector<structure::CurrentStep> elements_;  // one entry for each body
+    std::vector<std::string> names_;                // of the bodies
     // Number of each body's node 0 among those of all bodies; last the number of nodes.
     std::vector<std::size_t> first_node_;
 };

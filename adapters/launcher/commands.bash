@@ -134,7 +134,7 @@ command_new() {
         say "new: found --like '$like'; allowed is one of $known"
         exit 2
     }
-    [ ! -e "$name" ] || { say "new: $name is there already"; exit 2; }
+    [ ! -e "$name" ] || { say "new: $name is there already; take another name"; exit 2; }
     start_scene "$name" "$share/tutorials/$like"
     say "$name is a copy of the tutorial $like: magfsi explain $name, magfsi run $name"
 }

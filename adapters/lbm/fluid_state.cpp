@@ -74,7 +74,7 @@ void restore(fluid::Fluid& fluid, const std::string& table, std::int64_t steps_i
     if (file.shape(table) != shape_of(fluid)) {
         throw coupler::StateFault(fmt::format(
             "--restart: the checkpoint's box has {} cells (z, y, x, "
-            "direction), this run's {}",
+            "direction), this run's {}; start without --restart",
             fmt::join(file.shape(table), " x "), fmt::join(shape_of(fluid), " x ")));
     }
     const fluid::CellBox box = fluid.owned();

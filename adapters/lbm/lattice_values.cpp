@@ -89,8 +89,8 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
     }
     if (v.tau > max_tau) {
         warn(
-            fmt::format("a relaxation time of {:.3g} is inaccurate at walls: take a step "
-                        "of {:.3g} us",
+            fmt::format("a relaxation time of {:.3g} is inaccurate at walls: take a "
+                        "time.step of {:.3g} us",
                         v.tau, v.step_s * (max_tau - 0.5) / (v.tau - 0.5) * 1e6));
     }
     if (v.odd_rate < min_odd_rate) {
@@ -112,12 +112,13 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
     const double finest_reynolds = v.grid_reynolds * finest_m / v.spacing_m;
     if (finest_reynolds > fitted::max_cell_reynolds * (1 + 1e-9) &&
         scene.fluid->smagorinsky_constant == 0) {
+        // A rheology and an eddy viscosity exclude each other.
         warn(fmt::format(
             "at a cell's Reynolds number of {:.3g} shear layers are not "
-            "resolved: take a spacing of {:.3g} mm{}, or smagorinsky: "
-            "{{constant: 0.1}}",
+            "resolved: take a spacing of {:.3g} mm{}{}",
             finest_reynolds, finest_m * fitted::max_cell_reynolds / finest_reynolds * 1e3,
-            finest_m < v.spacing_m ? " on the finest level" : ""));
+            finest_m < v.spacing_m ? " on the finest level" : "",
+            scene.fluid->rheology ? "" : ", or smagorinsky: {constant: 0.1}"));
     }
     return text;
 }

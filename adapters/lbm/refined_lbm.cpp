@@ -209,7 +209,7 @@ void RefinedLbm::restore(const coupler::StateReader& file) {
         file.has(table_of(finest + 1, 0)))
         throw coupler::StateFault(
             fmt::format("--restart: the checkpoint has no grid of {} finer levels, as "
-                        "fluid.refinement asks for",
+                        "fluid.refinement asks for; start without --restart",
                         finest));
     const std::int64_t steps = steps_in_one(fluid_.level(finest), file);
     fluid_.restore(file.header().step * steps,

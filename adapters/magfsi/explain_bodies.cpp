@@ -79,7 +79,9 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
     const auto axis = std::ranges::min_element(box.size_m) - box.size_m.begin();
     const structure::ElementAdvice advice = structure::element_advice(
         solid.element, edges, static_cast<int>(axis), box.elements[axis], solid.material);
-    return advice.text.empty() ? "" : fmt::format("    warning: {}\n", advice.text);
+    return advice.text.empty()
+               ? ""
+               : fmt::format("    warning: body '{}': {}\n", solid.name, advice.text);
 }
 
 // Note on a thin sheet with a no-slip surface: a single layer of markers moves more or

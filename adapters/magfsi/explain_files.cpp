@@ -82,7 +82,7 @@ std::string compare(const Bounds& grid, const structure::FieldSource& source,
         if (at.low_m[d] < low || at.high_m[d] > high)
             return fmt::format(
                 "  warning: body '{}', {}, lies outside of the grid of the source '{}', "
-                "which is there from {} to {} along {}\n",
+                "which is there from {} to {} along {}: move it, or take a larger grid\n",
                 body.name, in_words(at), source.name, format_si(low, "m"),
                 format_si(high, "m"), "xyz"[d]);
     }

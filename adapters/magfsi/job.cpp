@@ -225,13 +225,19 @@ class HungMpirun {
     int alone_s_ = 0;
 };
 
+// Throws with the system's reason. limit: the command that shows what it may be.
+[[noreturn]] void no_room(const char* what, const char* limit) {
+    throw std::runtime_error(fmt::format("cannot {}: {}; see {}, and end other programs",
+                                         what, std::strerror(errno), limit));
+}
+
 // A shell process that waits for the launcher's end (its end of the pipe closes), gives
 // mpirun hung_after_s seconds, and kills it. It works even if the launcher itself was
 // killed.
 class MpirunGuard {
   public:
     explicit MpirunGuard(pid_t mpirun) {
-        if (pipe2(pipe_, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+        if (pipe2(pipe_, O_CLOEXEC) != 0) no_room("make a pipe", "ulimit -n");
         const std::string script = fmt::format(
             "read _; n={1}; while [ $n -gt 0 ]; do kill -0 {0} || exit 0; "
             "/bin/sleep 1; n=$((n - 1)); done; kill -9 {0}",
@@ -326,7 +332,7 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     seconds_to_end = on_stop == OnStop::checkpoint ? 0 : 5;
     shown.clear();
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+    if (pipe2(ends, O_CLOEXEC) != 0) no_room("make a pipe", "ulimit -n");
     const auto command = mpirun_command(programs);
     const pid_t launcher = getpid();
     // Signals are blocked until `child` is set, so that the handler has a process to pass
@@ -340,7 +346,7 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     close(ends[1]);
     if (child > 0 && stop_signal != 0) alarm(1);  // it came between two attempts
     sigprocmask(SIG_SETMASK, &before, nullptr);
-    if (child < 0) throw std::runtime_error("cannot start a process");
+    if (child < 0) no_room("start mpirun", "ulimit -u");
     const MpirunGuard guard(child);
 
     MpirunMessages messages;

@@ -28,7 +28,9 @@ namespace {
 // equilibria has no such number of steps.
 int write(const LatticeOptions& options) {
     const scene::Scene scene = scene::read_scene(options.input, options.overrides);
-    if (scene.bodies.empty()) throw std::invalid_argument("the scene has no bodies");
+    if (scene.bodies.empty())
+        throw std::invalid_argument(
+            "the scene has no bodies; name one with the key bodies");
     const lammps::Substeps steps = lammps::choose_substeps(scene);
     const auto input = lammps::to_lammps_input(scene, steps.lammps_step_s);
     fs::create_directories(options.out);

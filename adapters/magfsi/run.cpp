@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -263,7 +265,8 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
     if (!read_summary(out).is_object()) {
         fmt::print(
             stderr,
-            "magfsi: mpirun ended with code 0, but nothing was run: there is no {}\n",
+            "magfsi: mpirun ended with code 0, but nothing was run: there is no {}; "
+            "./magfsi doctor looks at this machine's mpirun\n",
             (out / "summary.json").string());
         return coupler::exit_error;
     }
@@ -308,7 +311,10 @@ void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) 
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execv(arguments.front(), arguments.data());
-    throw std::runtime_error("--error: /usr/bin/python3 cannot be started");
+    throw std::runtime_error(
+        fmt::format("--error: {} cannot be started: {}; install Python (Debian: apt-get "
+                    "install python3)",
+                    words.front(), std::strerror(errno)));
 }
 
 }  // namespace

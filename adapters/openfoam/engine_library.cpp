@@ -60,7 +60,11 @@ std::unique_ptr<Engine> load_engine(const EngineSetup& setup) {
             fmt::format("fluid.solver: openfoam: {}; {}", why, advice));
     }
     void* symbol = dlsym(handle, "magfsi_openfoam_engine");
-    if (!symbol) throw std::runtime_error("fluid.solver: openfoam: a stale library");
+    if (!symbol)
+        throw std::runtime_error(
+            fmt::format("fluid.solver: openfoam: {} is of another version; build it anew "
+                        "with ./magfsi build",
+                        library().string()));
     const auto make = reinterpret_cast<decltype(&magfsi_openfoam_engine)>(symbol);
     return std::unique_ptr<Engine>(make(setup));
 }

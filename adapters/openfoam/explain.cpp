@@ -68,7 +68,8 @@ std::string explain(const scene::Scene& scene, int /*ranks*/) {
                         n[2], cells, cells * fitted::openfoam_bytes_per_cell / 1e6);
     if (courant > max_courant) {
         text += fmt::format(
-            "  warning: a Courant number of {:.3g} is inaccurate: take a step of {:.3g} "
+            "  warning: a Courant number of {:.3g} is inaccurate: take a time.step of "
+            "{:.3g} "
             "us\n",
             courant, step_s * max_courant / courant * 1e6);
     }

@@ -154,7 +154,7 @@ std::vector<double> load_rows(const coupler::StateReader& file, const char* tabl
     if (file.shape(table) != wanted) {
         throw coupler::StateFault(fmt::format(
             "--restart: the checkpoint's table {} is {}, this run's {}: it is "
-            "of another mesh",
+            "of another mesh; start without --restart",
             table, fmt::join(file.shape(table), " x "), fmt::join(wanted, " x ")));
     }
     const std::vector<double> all = file.table(table);

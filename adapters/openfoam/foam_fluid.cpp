@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 
 #include "adapters/openfoam/case.h"
 #include "adapters/openfoam/engine_library.h"
@@ -43,7 +45,8 @@ std::string way_for_openfoam(const std::filesystem::path& folder) {
     if (words::path_word(way) == way) return way;
     const int descriptor = open(way.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
-        throw std::runtime_error(fmt::format("the folder {} cannot be opened", way));
+        throw std::runtime_error(
+            fmt::format("the folder {} cannot be opened: {}", way, std::strerror(errno)));
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
@@ -261,8 +264,7 @@ void FoamFluid::check_divergence() {
     const scene::Vec3 at = centre(fastest.cell);
     throw coupler::Diverged(
         fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "
-                    "{:.3g} cells "
-                    "per step; take a smaller step (fluid.courant) or a finer spacing",
+                    "{:.3g} cells per step; take a smaller time.step",
                     at[0], at[1], at[2], fastest.speed_m_s, courant));
 }
 

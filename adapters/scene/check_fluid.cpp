@@ -121,7 +121,8 @@ void check_sides(const Fluid& fluid, const Marks& marks) {
                     side.inlet.velocity_m_s != Vec3{},
                 marks.value({"fluid", "boundaries", name}),
                 fmt::format("the inlet {} without a velocity", name),
-                "velocity_inlet: {velocity: [x, y, z]}, not zero");
+                "velocity_inlet: {velocity: [x, y, z]}, not zero",
+                "give it a velocity, or leave the side out: a wall");
     }
 }
 
@@ -245,7 +246,7 @@ void check_speed(double speed, std::string_view what, const Origin& where,
         where,
         fmt::format("{} {:.6g} m/s, which is {:.3g} cells per step", what, speed, cells),
         fmt::format("at most {}", limit),
-        fmt::format("take a step of at most {}",
+        fmt::format("take a time.step of at most {}",
                     seconds(limit * fluid.finest_spacing_m() / speed)));
 }
 
@@ -329,7 +330,7 @@ void check_step(const Scene& scene, const Marks& marks) {
     require(*dt_s <= scene.time.end_s * (1 + 1e-9), marks.value({"time", "end"}),
             fmt::format("the end {} before the first step of {}",
                         seconds(scene.time.end_s), seconds(*dt_s)),
-            "at least one step");
+            "at least one step", "take a later end, or a smaller time.step");
     if (!scene.fluid) return;
     check_speeds(scene, marks, *dt_s);
     check_relaxation(scene, marks, *dt_s);
@@ -365,15 +366,16 @@ std::string fault_of_half_step(const Scene& scene) {
 void check_retry(const Scene& scene, const Marks& marks) {
     const Origin& here = marks.value({"checkpoint", "on_divergence"});
     const std::string without = "take checkpoint.on_divergence: stop";
+    const char* const smaller_step = ", and a smaller time.step";
     require(!scene.fluid || scene.fluid->solver == FluidSolver::lbm, here,
             "a retry with fluid.solver openfoam",
             "it with the lattice-Boltzmann fluid, or bodies alone",
-            without + ", and a smaller fluid.courant");
+            without + smaller_step);
     // The least-squares model of the implicit scheme belongs to a step of the old length.
     require(
         !scene.fluid || scene.bodies.empty() || scene.coupling->scheme == Scheme::serial,
         here, "a retry in the implicit scheme", "it with coupling.scheme serial",
-        without + ", and a smaller fluid.lattice_speed");
+        without + smaller_step);
     const std::string fault = fault_of_half_step(scene);
     require(fault.empty(), here, "a retry though " + fault,
             "room for at least one half step", without + ", or a smaller fluid.spacing");

@@ -21,7 +21,8 @@ void check_control(const Scene& scene, const Marks& marks) {
                  marks.key({"control"}), "control", "a magnetic field with a law",
                  "add magnetic_field: what the field is before the first call");
     require(!scene.time.equilibrium, marks.key({"control"}),
-            "control of a path of equilibria", "it in runs with motion only");
+            "control of a path of equilibria", "it in runs with motion only",
+            "remove this key, or time.equilibrium");
     check_script(control.script, marks.value({"control", "script"}));
     require_with(control.probes.empty() || scene.probes, marks.key({"control", "probes"}),
                  "control.probes", "probes", "add probes: it names what a run measures");
@@ -35,16 +36,21 @@ void check_control(const Scene& scene, const Marks& marks) {
 }
 
 // Refuses a step, and what Newton's method does not support: friction, contact and
-// dipoles.
+// dipoles. The other method does not support prescribed motions.
 void check_equilibrium(const Scene& scene, const Marks& marks) {
     require(!scene.time.step_s, marks.key({"time", "step"}),
             "a step in a scene of equilibria", "time.step for motion",
             "the points of the path are the probe rows");
     if (scene.time.equilibrium->method != EquilibriumMethod::newton) return;
+    const bool moved = std::ranges::any_of(
+        scene.bodies, [](const Body& body) { return !body.prescribed_motion.empty(); });
+    const char* const remedy = moved
+                                   ? "remove this key: only newton has prescribed_motion"
+                                   : "take time.equilibrium.method: dynamics";
     const auto without = [&](bool present, Path key, const char* what) {
         require(!present, marks.key(key),
                 fmt::format("{} with the equilibrium method newton", what),
-                "it with the method dynamics", "take time.equilibrium.method: dynamics");
+                "it with the method dynamics", remedy);
     };
     without(scene.platform && scene.platform->friction > 0, {"platform", "friction"},
             "friction");
@@ -173,12 +179,18 @@ void check_platform(const Scene& scene, const Marks& marks) {
             "a normal of length 0", "any other vector such as [0, 0, 1]");
     check_not_behind(scene, marks);
     check_in_box(scene, marks);
+    // Gravity brings free bodies only, and does not where it is there already.
+    const bool may_fall =
+        !scene.gravity && std::ranges::any_of(scene.bodies, [](const Body& body) {
+            return body.clamps.empty();
+        });
     require(!std::ranges::all_of(scene.bodies,
                                  [&](const Body& b) { return out_of_reach(scene, b); }),
             marks.key({"platform"}), "a platform that no body can touch",
             "one within reach of a body, or bodies that gravity or a field gradient "
             "brings to it",
-            "move platform.point, add \"gravity\", or remove the key");
+            may_fall ? "move platform.point, add gravity towards it, or remove the key"
+                     : "move platform.point, or remove the key");
 }
 
 // Refuses options that a structure of the user's own cannot follow.
@@ -216,7 +228,7 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
         return {{"forcing",
                  fmt::format("forcing: no_slip with fluid.solver: {}",
                              name_of(scene.fluid->solver)),
-                 "penalty there", "take fluid.solver: lbm"}};
+                 "penalty there", "take forcing: penalty, or fluid.solver: lbm"}};
     return {};
 }
 

@@ -172,7 +172,10 @@ void check_probes(const Scene& scene, const Marks& marks) {
     require_with(!asks(probes.fluid, FluidQuantity::obstacle_force) ||
                      !scene.fluid->obstacles.empty(),
                  marks.value({"probes", "fluid"}), "the probe obstacle_force",
-                 "obstacles", "add fluid.obstacles");
+                 "obstacles",
+                 fluid && scene.fluid->solver != FluidSolver::lbm
+                     ? "leave it out: only fluid.solver: lbm has obstacles"
+                     : "add fluid.obstacles");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_force) || fluid,
                  marks.value({"probes", "bodies"}), "the probe fluid_force", "a fluid");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_torque) || fluid,
@@ -193,7 +196,8 @@ void check_probes(const Scene& scene, const Marks& marks) {
     const Origin& audit = marks.value({"probes", "energy_audit"});
     require_with(!probes.energy_audit || bodies, audit, "energy_audit", "bodies");
     require(!probes.energy_audit || !scene.time.equilibrium, audit,
-            "energy_audit of a path of equilibria", "it in runs with motion only");
+            "energy_audit of a path of equilibria", "it in runs with motion only",
+            "remove this key, or time.equilibrium");
     for (const PointProbe& point : probes.points) check_point(scene, point, marks);
     check_integrals(scene, marks);
 }

@@ -219,7 +219,10 @@ std::vector<std::string> absent_effects(const Scene& scene) {
 
 bool has_effect(const Scene& scene, std::string_view name) {
     const auto all = effects_of(scene);
-    return std::ranges::find(all, name, &Effect::name)->active;
+    const auto found = std::ranges::find(all, name, &Effect::name);
+    if (found == all.end())
+        throw std::logic_error(fmt::format("no effect is called {}", in_quotes(name)));
+    return found->active;
 }
 
 std::vector<std::string> effects_by_step(const Scene& scene) {
@@ -344,10 +347,6 @@ std::vector<std::string> idle_effects(const Scene& scene) {
          scene.damping && !still && equilibrium &&
              equilibrium->method == EquilibriumMethod::newton,
          "damping", "Newton's method knows no motion");
-    note(lines,
-         scene.platform && scene.platform->damping_pa_s_m > 0 && equilibrium &&
-             equilibrium->method == EquilibriumMethod::newton,
-         "platform.damping", "Newton's method knows no motion");
     const Fluid fluid = scene.fluid.value_or(Fluid{});
     note(lines, fluid.body_force_n_m3 == Vec3{}, "fluid.body_force", "it is 0");
     note(lines, fluid.initial_velocity_m_s == Vec3{}, "fluid.initial_velocity",

@@ -69,7 +69,8 @@ std::string fault_of_half_step(const Scene& scene);
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
 
-// True if the scene has the effect; `name` must be one of the names above.
+// True if the scene has the effect. Throws std::logic_error unless `name` is one of the
+// names above.
 bool has_effect(const Scene& scene, std::string_view name);
 
 // The effects in one line each for the structure step, the coupled step, the fluid step

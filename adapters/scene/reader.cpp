@@ -53,6 +53,14 @@ void complete(Coupling& coupling) {
             implicit ? SampledVelocity::linear : SampledVelocity::frozen;
 }
 
+// Makes the file names of grids relative to the scene's folder.
+void complete(MagneticField& field, const std::filesystem::path& folder) {
+    for (FieldSource& source : field.sources) {
+        if (auto* grid = std::get_if<GridField>(&source.shape))
+            grid->file = (folder / grid->file).string();
+    }
+}
+
 // Default forcing: no_slip where it is possible. A strength other than 1 has a meaning
 // only with the penalty method, so it selects that one.
 coupler::Forcing usual_forcing(const Scene& scene) {
@@ -84,12 +92,7 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
                 surface->file = (folder / surface->file).string();
         }
     }
-    if (scene.magnetic_field) {
-        for (FieldSource& source : scene.magnetic_field->sources) {
-            if (auto* grid = std::get_if<GridField>(&source.shape))
-                grid->file = (folder / grid->file).string();
-        }
-    }
+    if (scene.magnetic_field) complete(*scene.magnetic_field, folder);
     if (scene.gravity) normalise(scene.gravity->direction);
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
@@ -139,6 +142,8 @@ MagneticField read_field(const std::string& text, const std::string& source,
     changed.magnetic_field->plus.clear();
     TreeReader reader(*node, field);
     keys(reader, *changed.magnetic_field);
+    // The scene's own sources have their full paths already.
+    if (node->find("sources")) complete(*changed.magnetic_field, scene.folder);
     read_field_files(changed, Marks(root));
     check_magnetic_field(changed, Marks(root));
     return *changed.magnetic_field;

@@ -118,7 +118,7 @@ std::vector<Triangle> read_ascii(const std::string& text, const std::string& fil
         for (double& x : triangles.back()[corner]) x = coordinate(words, file);
         corner = (corner + 1) % 3;
     }
-    if (corner != 0) refuse_file(file, "ends inside a triangle");
+    if (corner != 0) refuse_file(file, "ends inside a triangle; export it anew");
     return triangles;
 }
 
@@ -136,17 +136,17 @@ std::vector<Triangle> read_stl(const std::string& file) {
     if (!binary && !begins_with_solid(bytes)) {
         refuse_file(file, "has ", bytes.size(),
                     " bytes; it neither begins with \"solid\" (ASCII) nor has the 84 + "
-                    "50 bytes per triangle of its count (binary)");
+                    "50 bytes per triangle of its count (binary): export it anew");
     }
     std::vector<Triangle> triangles =
         binary ? read_binary(bytes) : read_ascii(bytes, file);
-    if (triangles.empty()) refuse_file(file, "has no triangle");
+    if (triangles.empty()) refuse_file(file, "has no triangle; export a surface");
     constexpr double most = std::numeric_limits<float>::max();
     for (const Triangle& triangle : triangles) {
         for (const Point& corner : triangle) {
             for (const double x : corner) {
                 if (!(std::abs(x) <= most))
-                    refuse_file(file, "has a vertex that is not finite");
+                    refuse_file(file, "has a vertex that is not finite; export it anew");
             }
         }
     }

@@ -136,7 +136,7 @@ RestartPoint find_latest(const fs::path& folder, const RunPlan& plan) {
     }
     throw std::invalid_argument(
         fmt::format("--restart latest: no complete checkpoint in {}{}{}; start without "
-                    "--restart, with the scene key checkpoint",
+                    "--restart",
                     folder.string(), point.skipped.empty() ? "" : ": ",
                     fmt::join(point.skipped, "; ")));
 }
@@ -153,7 +153,8 @@ RestartPoint find_named(const fs::path& file, const RunPlan& plan) {
     try {
         point.header = read_through(point.folder, *step, plan);
     } catch (const StateFault& fault) {
-        throw std::invalid_argument(fmt::format("--restart: {}", fault.what()));
+        throw std::invalid_argument(fmt::format(
+            "--restart: {}; take latest, or the file of another step", fault.what()));
     }
     return point;
 }
@@ -170,7 +171,8 @@ RestartPoint find_restart(const std::string& wanted, const fs::path& run_folder,
                           const RunPlan& plan) {
     if (!plan.checkpoint)
         throw std::invalid_argument(
-            "--restart: the scene has no key checkpoint, so no run of it left one");
+            "--restart: the scene has no key checkpoint, so no run of it left one; start "
+            "without --restart");
     return wanted == "latest" ? find_latest(run_folder, plan) : find_named(wanted, plan);
 }
 

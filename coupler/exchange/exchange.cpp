@@ -168,7 +168,8 @@ void check_header(std::span<const double> message, const Occasion& when,
     if (now && got_markers == markers) return;
     throw PartnerLost(
         fmt::format("the two sides are out of step: a message of {} carries {} with {} "
-                    "markers, expected {} with {}",
+                    "markers, expected {} with {}; start both with the same scene, from "
+                    "the same build",
                     sender, in_words(got), got_markers, in_words(when), markers));
 }
 

@@ -66,8 +66,7 @@ void check_margin(const Grid& grid, std::span<const Vec3> then_m,
             throw Diverged(fmt::format(
                 "the body moves too fast for the fluid's grid: in coupled step {} marker "
                 "{} at ({:.4g}, {:.4g}, {:.4g}) mm has moved {:.3g} cells in at most {} "
-                "steps (limit {}); take a smaller time step (fluid.lattice_speed) or "
-                "check the loads",
+                "steps (limit {}); take a smaller time.step or weaker loads",
                 step, m, now_m[m][0] * 1e3, now_m[m][1] * 1e3, now_m[m][2] * 1e3,
                 moved / grid.spacing_m, grid.renewal.every, grid.renewal.margin_cells));
         }

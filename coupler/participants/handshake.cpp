@@ -90,7 +90,9 @@ void receive_numbers(const World& world, std::int64_t step, std::span<double> nu
                             fmt::format("fluid probes of step {}", step));
     if (static_cast<std::int64_t>(message[0]) != step) {
         throw PartnerLost(
-            fmt::format("fluid probes of step {} came at step {}", message[0], step));
+            fmt::format("the two sides are out of step: fluid probes of step {} came at "
+                        "step {}; start both with the same scene, from the same build",
+                        message[0], step));
     }
     std::copy(message.begin() + 1, message.end(), numbers.begin());
 }

@@ -57,7 +57,7 @@ bool step_is_repeated(const World& world, const Occasion& when, double timeout_s
     if (note[0] == when.step && note[1] == when.iteration) return note[2] != 0;
     throw PartnerLost(fmt::format(
         "the two sides are out of step: convergence of step {}, iteration {}, expected "
-        "step {}, iteration {}",
+        "step {}, iteration {}; start both with the same scene, from the same build",
         note[0], note[1], when.step, when.iteration));
 }
 
@@ -106,8 +106,8 @@ bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
     if (!std::isfinite(residual)) {
         throw Diverged(fmt::format(
             "iteration {} of coupled step {} gave velocities that are not finite; take a "
-            "smaller time step or a smaller coupling.iteration.relaxation",
-            iteration_ + 1, step));
+            "smaller time.step or a coupling.iteration.relaxation below {:g}",
+            iteration_ + 1, step, wanted.relaxation));
     }
     const bool converged = residual <= wanted.velocity_tolerance;
     const bool again = !converged && iteration_ + 1 < wanted.max_iterations;
@@ -115,10 +115,13 @@ bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
         throw Diverged(fmt::format(
             "coupled step {} has not converged: after {} iterations the {} changes by "
             "{:.3g} of itself, allowed is {:.3g} "
-            "(coupling.iteration.velocity_tolerance); "
-            "take a smaller time step, acceleration: iqn_ils, a larger "
+            "(coupling.iteration.velocity_tolerance); take a smaller time.step, {}a "
+            "larger "
             "coupling.iteration.max_iterations, or on_no_convergence: continue",
-            step, iteration_ + 1, record_.measure, residual, wanted.velocity_tolerance));
+            step, iteration_ + 1, record_.measure, residual, wanted.velocity_tolerance,
+            wanted.acceleration == AccelerationMethod::iqn_ils
+                ? ""
+                : "acceleration: iqn_ils, "));
     }
     convergence_.send({step, iteration_}, again);
     if (again) {

@@ -149,16 +149,17 @@ output::BoundarySummary boundary_summary(const SlipReport& slip, double given_sp
     return b;
 }
 
-std::string to_text(const output::BoundarySummary& b) {
+std::string to_text(const output::BoundarySummary& b, bool can_hold) {
     constexpr double warned_above = 0.05;
     std::string text = fmt::format(
         "immersed boundary: no-slip error {:.2g} %, leakage {:.2g} % of {:.3g} m/s ({} "
         "markers, {} samples)",
         100 * b.error, 100 * b.leakage, b.reference_speed_m_s, b.markers, b.samples);
     if (std::max(b.error, b.leakage) > warned_above)
-        text +=
-            "; warning: above 5 % the forces on bodies depend on the coupled step: take "
-            "coupling.immersed_boundary.forcing: no_slip, or compare with half the step";
+        text += fmt::format(
+            "; warning: above 5 % the forces on bodies depend on the coupled step: {}"
+            "compare with a run of half the time.step",
+            can_hold ? "take coupling.immersed_boundary.forcing: no_slip, or " : "");
     return text;
 }
 

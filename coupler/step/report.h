@@ -47,8 +47,9 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
 // times a quarter of the surface, which is the mean cross-section of a convex body.
 output::BoundarySummary boundary_summary(const SlipReport& slip, double given_speed_m_s);
 
-// A line for the log, with a warning above 5 %.
-std::string to_text(const output::BoundarySummary& boundary);
+// A line for the log, with a warning above 5 %. can_hold: the run could have forcing
+// no_slip, and has not.
+std::string to_text(const output::BoundarySummary& boundary, bool can_hold);
 
 // Logs the effects of each part of the step, present and absent, and warnings about
 // effects that can do nothing.

@@ -73,7 +73,9 @@ std::string TaskList::names() const {
 void Outputs::need(bool asked, std::string_view name) const {
     if (!asked || std::ranges::find(names_, name) != names_.end()) return;
     throw std::invalid_argument(
-        fmt::format("{} is asked for, and this program was built without it", name));
+        fmt::format("{} is asked for, and this program was built without it; leave its "
+                    "key out, or build the program with it",
+                    name));
 }
 
 void Outputs::begin() {

@@ -42,8 +42,9 @@ std::vector<std::unique_ptr<SideEffect>> make_side_effects(const SideContext& co
     for (int side = 0; side < 6; ++side) {
         const std::string name = effect_of(sides[side]);
         if (!name.empty() && !std::ranges::count(registered, name, &Registered::name))
-            refuse(side_name[side], " asks for ", name,
-                   ", and this program was built without it");
+            refuse("fluid side ", side_name[side], " asks for ", name,
+                   ", and this program was built without it; give the side another "
+                   "kind, or build the program with it");
     }
     std::vector<std::unique_ptr<SideEffect>> effects;
     for (const Registered& effect : registered) {

@@ -31,15 +31,47 @@ DivergenceCause likely_cause(const Divergence& d) {
                                                    : DivergenceCause::speed;
 }
 
-// The cause in words, with a remedy.
-std::string advice(const Divergence& d) {
+// Relaxation time of the cell. Where the viscosity depends on the rate of shear, that of
+// its speed across one cell, which is of the order of the largest on the grid.
+double local_relaxation_time(const FluidConfig& config, double lattice_speed) {
+    if (!config.rheology || !std::isfinite(lattice_speed)) return relaxation_time(config);
+    const double rate_1_s = lattice_speed / config.time_step_s;
+    return relaxation_time(
+        viscosity_m2_s(*config.rheology, config.viscosity_m2_s, rate_1_s),
+        config.time_step_s, config.spacing_m);
+}
+
+// What makes a force smaller: a body force above the limit is the cause by itself, the
+// other forces are those of immersed bodies, and only the penalty has a strength.
+const char* softer(const FluidConfig& config) {
+    const Vec3 half = half_body_force(config);
+    if (2 * std::hypot(half[0], half[1], half[2]) > hard_push)
+        return "take a smaller fluid.body_force or a shorter time step";
+    return config.holds_no_slip
+               ? "take a shorter time step or more coupling.substeps"
+               : "take a shorter time step, more coupling.substeps or a smaller "
+                 "coupling.immersed_boundary.strength";
+}
+
+// What damps more: what the configuration has already, or does not allow, is left out.
+std::string more_damping(const FluidConfig& config) {
+    const Collision now = choose_collision(config);
+    std::string text = "take finer spacing or a higher viscosity";
+    if (!config.rheology && !(config.smagorinsky_constant > 0))
+        text += ", an eddy viscosity (fluid.smagorinsky)";
+    if (now == Collision::bgk || now == Collision::trt)
+        text += ", or collision: recursive_regularized";
+    return text;
+}
+
+// The cause in words, with a remedy that this configuration allows.
+std::string cause_and_remedy(const Divergence& d, const FluidConfig& config) {
     std::ostringstream text;
     text.precision(3);
     switch (d.cause) {
         case DivergenceCause::force:
             text << "the force changes its speed by " << d.lattice_force
-                 << " cells in one step: use a softer coupling, more substeps or a "
-                    "shorter time step";
+                 << " cells in one step: " << softer(config);
             break;
         case DivergenceCause::not_finite:
             text << "a value was not finite when it entered: check the initial flow, the "
@@ -47,12 +79,13 @@ std::string advice(const Divergence& d) {
             break;
         case DivergenceCause::relaxation_time:
             text << "relaxation time " << d.relaxation_time
-                 << " damps little: use the recursive_regularized collision, an eddy "
-                    "viscosity, finer spacing or a higher viscosity";
+                 << (config.rheology ? ", with the viscosity of this speed across a cell,"
+                                     : "")
+                 << " damps little: " << more_damping(config);
             break;
         case DivergenceCause::speed:
             text << "Mach number " << std::sqrt(3.0) * d.lattice_speed
-                 << " is too high for the lattice: use a shorter time step";
+                 << " is too high for the lattice: take a shorter time step";
             break;
     }
     return text.str();
@@ -71,9 +104,10 @@ std::optional<Divergence> Fluid::diverged() const {
     d.lattice_speed = cell.speed;
     d.density = cell.density;
     d.lattice_force = cell.force;
-    d.relaxation_time = relaxation_time(s.config);
+    d.relaxation_time = local_relaxation_time(s.config, cell.speed);
     d.step = s.invalid_step;
     d.cause = likely_cause(d);
+    d.remedy = cause_and_remedy(d, s.config);
     return d;
 }
 
@@ -86,7 +120,7 @@ std::string to_string(const Divergence& d) {
          << ") at (" << d.position_m[0] << ", " << d.position_m[1] << ", "
          << d.position_m[2] << ") m: speed " << d.lattice_speed
          << " cells a step, of which the lattice allows " << lattice_speed_limit
-         << ", density " << d.density << " of that at rest; " << advice(d);
+         << ", density " << d.density << " of that at rest; " << d.remedy;
     return text.str();
 }
 

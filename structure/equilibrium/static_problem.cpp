@@ -44,7 +44,8 @@ void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_
         if (!massive || std::abs(falls[d]) <= rounding) continue;
         refuse(
             "body {} has weight but no clamp, roller or level platform that holds it "
-            "along {}: only the field may load a body along an axis on which it is free",
+            "along {}: only the field may load a body along an axis on which it is free; "
+            "hold it, or leave gravity out",
             body.name, "xyz"[d]);
     }
 }
@@ -54,7 +55,7 @@ void refuse_to_be_carried(const Body& body, const HeldAxes& held) {
     if (held == HeldAxes{true, true, true}) return;
     refuse(
         "body {} is in a field gradient, which carries it away, and no clamp or roller "
-        "holds it along every axis: take time.equilibrium.method: dynamics",
+        "holds it along every axis: clamp a face, or give it rollers along each axis",
         body.name);
 }
 

@@ -152,7 +152,8 @@ void StiffnessMatrix::raise_foundation(double foundation) {
 void StiffnessMatrix::throw_if_out_of_memory() {
     if (factor_.cholmod().status >= CHOLMOD_OK) return;
     throw std::runtime_error(
-        fmt::format("not enough memory to factorise the stiffness matrix of {} unknowns",
+        fmt::format("not enough memory to factorise the stiffness matrix of {} unknowns; "
+                    "take fewer elements, or a machine with more memory",
                     volume_m3_.size()));
 }
 

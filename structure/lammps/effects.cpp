@@ -35,7 +35,10 @@ void refuse_absent(const LammpsInput& input) {
     const auto need = [](bool asked, std::string_view name) {
         const auto is_it = [&](const Effect* e) { return e->name == name; };
         if (!asked || std::ranges::any_of(effects(), is_it)) return;
-        refuse("{} is asked for, and this program was built without it", name);
+        refuse(
+            "{} is asked for, and this program was built without it; leave its key out, "
+            "or build the program with it",
+            name);
     };
     need(input.field.has_value(), "magnetic_field");
     need(input.gradient.has_value(), "field_gradient");
@@ -59,6 +62,11 @@ void refuse_absent(const LammpsInput& input) {
 std::function<void(const std::string&)>& failure_handler() {
     static std::function<void(const std::string&)> handler;
     return handler;
+}
+
+std::string& advice() {
+    static std::string words;
+    return words;
 }
 
 }  // namespace
@@ -107,8 +115,16 @@ void register_styles(LAMMPS_NS::LAMMPS& lammps) {
     }
 }
 
-void set_failure_handler(std::function<void(const std::string& cause)> handler) {
+void set_failure_handler(std::function<void(const std::string& cause)> handler,
+                         const std::string& advice_words) {
     failure_handler() = std::move(handler);
+    advice() = advice_words;
+}
+
+const std::string& advice_if_unstable() {
+    static const std::string of_a_script =
+        "take a smaller time step, a finer mesh or weaker loads";
+    return advice().empty() ? of_a_script : advice();
 }
 
 void fail(LAMMPS_NS::Error& error, const std::string& cause) {

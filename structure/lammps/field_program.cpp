@@ -150,11 +150,16 @@ Vec3 vector_of(const FieldLaw& law, const std::array<int, 2>& plane, double time
 
 template <class Table>
 void check_times(const Table& table) {
-    if (!std::ranges::is_sorted(table.time_s)) {
-        refuse("the times of a field table must not fall");
+    const auto falls = std::ranges::is_sorted_until(table.time_s);
+    if (falls != table.time_s.end()) {
+        refuse("field table with the time {:g} s after {:g} s found; times must not fall",
+               *falls, *std::prev(falls));
     }
     if (table.repeat && !(table.time_s.back() > table.time_s.front())) {
-        refuse("a repeated field table needs a period above zero");
+        refuse(
+            "repeated field table from {:g} s to {:g} s found; it must end later than it "
+            "begins",
+            table.time_s.front(), table.time_s.back());
     }
 }
 
@@ -180,14 +185,18 @@ void check(const VectorTable& table) {
 }
 
 void check(const PrecessingField& field) {
-    if (!(length(field.axis) > 0)) refuse("an axis of length 0 found for a field");
+    if (!(length(field.axis) > 0))
+        refuse("an axis of length 0 found for a precessing field; any other is allowed");
 }
 
 void check_plane(const std::array<int, 2>& plane) {
     const bool axes =
         std::ranges::all_of(plane, [](int axis) { return axis >= 0 && axis <= 2; });
     if (!axes || plane[0] == plane[1]) {
-        refuse("a field plane is two different ones of x, y, z");
+        refuse(
+            "field plane of the axes {} and {} found; two different ones of 0, 1, 2 (x, "
+            "y, z) are needed",
+            plane[0], plane[1]);
     }
 }
 
@@ -251,7 +260,10 @@ std::string field_arguments(const FieldProgram& program) {
 
 FieldProgram parse_field_arguments(const std::vector<std::string>& words) {
     if (words.size() < 2 || words[0].size() != 2) {
-        refuse("a plane such as xz, a course and its numbers are needed");
+        refuse(
+            "\"{}\" found for a field; a plane such as xz, a course and its numbers are "
+            "needed",
+            fmt::join(words, " "));
     }
     FieldProgram program;
     program.plane = {words[0][0] - 'x', words[0][1] - 'x'};

@@ -18,6 +18,7 @@
 #include <stdexcept>
 
 #include "structure/lammps/lattice_file.h"
+#include "structure/lammps/register_styles.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 #include "words/path_word.h"
@@ -276,9 +277,24 @@ void FixMagttice::refuse_inverted(const KernelResult& result) {
                               ? "which is not a number"
                               : std::to_string(result.smallest_j);
     fail(*error,
-         "{}: element {} is inverted at step {}, its volume ratio J is {} ({}); use a "
-         "smaller time step, a finer mesh or a weaker field",
-         who_, result.element, update->ntimestep, j, place(result.element));
+         "{}: element {} is inverted at step {}, its volume ratio J is {} ({}); {}", who_,
+         result.element, update->ntimestep, j, place(result.element), remedy());
+}
+
+// Across a periodic side the nodes of an element are those nearest to its first one,
+// which are the wrong ones in a box of less than twice the element's length. Then no step
+// helps.
+std::string FixMagttice::remedy() const {
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (domain->periodicity[d] == 0 ||
+            domain->prd[d] > 2 * lattice_.longest_diagonal_m)
+            continue;
+        return fmt::format(
+            "the box is periodic along {} and {:g} m long: give it more than {:g} m, "
+            "twice the longest diagonal of an element, or boundary f or s there",
+            "xyz"[d], domain -> prd[d], 2 * lattice_.longest_diagonal_m);
+    }
+    return advice_if_unstable();
 }
 
 // Energies cost a second pass over the elements and are computed only on request.

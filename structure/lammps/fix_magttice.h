@@ -69,8 +69,9 @@ class FixMagttice : public LAMMPS_NS::Fix {
     void add_elastic();
     // Place of an element, for messages.
     std::string place(int element) const;
-    // Ends the run with the element, its J and its place.
+    // Ends the run with the element, its J, its place and a remedy.
     void refuse_inverted(const KernelResult& result);
+    std::string remedy() const;
     void compute_energies();
 
     std::string who_;  // "fix ID magttice", for messages

@@ -159,7 +159,8 @@ std::optional<Law> law_of_numbers(const std::string& name,
 // laws that there are, if there is no such law.
 template <class... Laws>
 void read_law(std::variant<Laws...>& out, std::span<const std::string> words) {
-    if (words.empty()) refuse("a name is needed");
+    if (words.empty())
+        refuse("no word found for a law; its name is needed, and its numbers");
     const auto take = [&]<class Law>(std::optional<Law> law) {
         if (law) out = *std::move(law);
         return law.has_value();

@@ -2,6 +2,8 @@
 #include "structure/lammps/names.h"
 
 #include <fcntl.h>
+#include <cerrno>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -73,7 +75,9 @@ std::string path_in_script(const std::string& path) {
 std::string data_in_script(const std::string& path) {
     if (is_quotable(path)) return '"' + path + '"';
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw std::runtime_error(fmt::format("cannot open {}", path));
+    if (descriptor < 0)
+        throw std::runtime_error(
+            fmt::format("cannot open {}: {}", path, std::strerror(errno)));
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 

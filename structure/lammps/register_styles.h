@@ -30,7 +30,13 @@ void register_styles(LAMMPS_NS::LAMMPS& lammps);
 
 // Sets the function that a failing style calls in place of LAMMPS's own error exit, which
 // ends the process through MPI_Finalize and would leave a partner waiting. The handler
-// must not return. Without one, LAMMPS's error->one is called.
-void set_failure_handler(std::function<void(const std::string& cause)> handler);
+// must not return. Without one, LAMMPS's error->one is called. advice: what to do where
+// the bodies become unstable, in the words of the program; if empty that of a LAMMPS
+// script.
+void set_failure_handler(std::function<void(const std::string& cause)> handler,
+                         const std::string& advice = "");
+
+// "take a smaller time step, ...": what is told of bodies that become unstable.
+const std::string& advice_if_unstable();
 
 }  // namespace magfsi::structure

@@ -38,8 +38,11 @@ void check_input(const LammpsInput& input) {
                         body.other_materials.size());
         for (const Material& material : used_materials(body)) {
             if (material.density_kg_m3 > 0) continue;
-            refuse("body {} has an effective density of {:g} kg/m3, it must be positive",
-                   body.name, material.density_kg_m3);
+            refuse(
+                "body {} has an effective density of {:g} kg/m3, it must be positive: "
+                "take "
+                "a larger density of the material",
+                body.name, material.density_kg_m3);
         }
     }
 }

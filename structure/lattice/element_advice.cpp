@@ -174,11 +174,14 @@ ElementAdvice element_advice(ElementVariant variant, const Vec3& edges_m,
     const std::string wrong = faults(out);
     if (wrong.empty()) return out;
     const int more = layers_that_help(variant, edges_m, thickness_axis, layers, material);
-    out.text = fmt::format(
-        "element {} in {} layer{} is {}: take element assumed_strain{}", name_of(variant),
-        layers, layers == 1 ? "" : "s", wrong,
-        more > 0 ? fmt::format(" or {} layers of the same edges in the plane", more)
-                 : "");
+    const bool best = variant == ElementVariant::assumed_strain;
+    std::string remedy = best ? "" : "element assumed_strain";
+    if (more > 0)
+        remedy += fmt::format("{}{} layers of the same edges in the plane",
+                              best ? "" : " or ", more);
+    if (remedy.empty()) remedy = "shorter edges in the plane";
+    out.text = fmt::format("element {} in {} layer{} is {}: take {}", name_of(variant),
+                           layers, layers == 1 ? "" : "s", wrong, remedy);
     return out;
 }
 

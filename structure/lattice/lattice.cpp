@@ -85,8 +85,11 @@ void check_nodes(const Hexahedron& element, int number, std::size_t node_count) 
 
 void check_material(const Material& material) {
     if (!(material.shear_modulus_pa > 0) || !(material.lame_lambda_pa >= 0)) {
-        refuse("G = {:g} Pa and K = {:g} Pa found, G must be positive and K not negative",
-               material.shear_modulus_pa, material.lame_lambda_pa);
+        refuse(
+            "material with G = {:g} Pa and K = {:g} Pa found, G must be positive and K "
+            "not "
+            "negative",
+            material.shear_modulus_pa, material.lame_lambda_pa);
     }
 }
 

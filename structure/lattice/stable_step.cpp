@@ -92,7 +92,8 @@ void check(const Body& body, const Material& material) {
     if (!(material.density_kg_m3 > 0)) {
         refuse(
             "body {} has an effective density of {:g} kg/m3, it must be positive "
-            "(explicit steps cannot carry a body that is lighter than its fluid)",
+            "(explicit steps cannot carry a body that is lighter than its fluid): take a "
+            "larger density of the material",
             body.name, material.density_kg_m3);
     }
     if (!(material.viscosity_pa_s >= 0)) {

@@ -89,7 +89,7 @@ void check_axis(const std::vector<double>& axis, char name,
             continue;
         refuse(
             "field grid {}: {} places along {} from {:g} to {:g} m found that are not "
-            "evenly spaced ({:g} m is none of an even row)",
+            "evenly spaced ({:g} m is none of an even row); export a regular grid",
             file.string(), axis.size(), name, axis.front(), axis.back(), axis[i]);
     }
 }
@@ -109,7 +109,9 @@ point_fields::Field<Gradient> GridValues::at(
         if (x[d].value < axis.front() - slack || x[d].value > axis.back() + slack) {
             throw std::runtime_error(fmt::format(
                 "a body has left the grid of the field: it is at {} = {:.6g} m of the "
-                "grid, which ends at {:g} and {:g} m",
+                "grid, which reaches from {:g} to {:g} m; take a larger grid, or hold "
+                "the "
+                "body inside",
                 "xyz"[d], x[d].value, axis.front(), axis.back()));
         }
         along[d] = stencil(x[d].value, axis);
@@ -149,9 +151,12 @@ GridValues read_grid(const std::filesystem::path& file) {
     }
     const std::size_t points = axes[0].size() * axes[1].size() * axes[2].size();
     if (values[0].size() != points) {
-        refuse("field grid {}: {} rows found for a grid of {} x {} x {} points",
-               file.string(), values[0].size(), axes[0].size(), axes[1].size(),
-               axes[2].size());
+        refuse(
+            "field grid {}: {} rows found for a grid of {} x {} x {} points; it needs "
+            "one "
+            "row for each point",
+            file.string(), values[0].size(), axes[0].size(), axes[1].size(),
+            axes[2].size());
     }
     std::vector<Vec3> field(points);
     std::vector<bool> there(points);
@@ -161,8 +166,11 @@ GridValues read_grid(const std::filesystem::path& file) {
             axes[0].size() * (place_of(values[1][r], axes[1]) +
                               axes[1].size() * place_of(values[2][r], axes[2]));
         if (there[at]) {
-            refuse("field grid {}: the point ({:g}, {:g}, {:g}) m found twice",
-                   file.string(), values[0][r], values[1][r], values[2][r]);
+            refuse(
+                "field grid {}: the point ({:g}, {:g}, {:g}) m found twice, each is "
+                "needed "
+                "once",
+                file.string(), values[0][r], values[1][r], values[2][r]);
         }
         there[at] = true;
         field[at] = {values[3][r], values[4][r], values[5][r]};

@@ -256,7 +256,9 @@ std::vector<Vec3> radial_magnetization(const Mesh& mesh,
                                        const RadialMagnetization& wanted) {
     Eigen::Vector3d axis = to_eigen(wanted.axis.value_or(Vec3{}));
     if (wanted.axis && !(axis.norm() > 0))
-        refuse("a radial magnetisation about an axis of no direction found");
+        refuse(
+            "a radial magnetisation about an axis of length 0 found; any other is "
+            "allowed");
     if (wanted.axis) axis.normalize();
     const double tiny_m = 1e-9 * bounds(mesh.nodes).diagonal_m();
     std::vector<Vec3> out;
@@ -297,7 +299,10 @@ std::vector<Vec3> domain_magnetization(const Mesh& mesh,
 std::vector<Vec3> region_magnetization(const Mesh& mesh,
                                        const std::map<std::string, Vec3>& vector_a_m) {
     if (mesh.region_names.empty()) {
-        refuse("a magnetisation by region found for a mesh without regions");
+        refuse(
+            "a magnetisation by region found for a mesh without regions; name its "
+            "volumes "
+            "in Gmsh (physical groups), or take another law");
     }
     const auto& names = mesh.region_names;
     for (const auto& [name, unused] : vector_a_m) {

@@ -37,7 +37,9 @@ Vec3 half(const Vec3& v) {
 // Rotation that turns z onto an axis by the shortest way.
 Matrix3d frame_along(const Vec3& axis) {
     const Vector3d to = vector(axis);
-    if (!(to.norm() > 0)) refuse("an axis of length 0 found for a source of the field");
+    if (!(to.norm() > 0))
+        refuse(
+            "an axis of length 0 found for a source of the field; any other is allowed");
     const Vector3d normal = Vector3d::UnitZ().cross(to);
     // Every axis across z will do where the source's axis is z or its opposite.
     const Vector3d about =
@@ -48,7 +50,8 @@ Matrix3d frame_along(const Vec3& axis) {
 Matrix3d turned(const Vec3& axis, double angle_rad) {
     const Vector3d along = vector(axis);
     if (!(along.norm() > 0))
-        refuse("an axis of length 0 found for a source of the field");
+        refuse(
+            "an axis of length 0 found for a source of the field; any other is allowed");
     return Eigen::AngleAxisd(angle_rad, along.normalized()).toRotationMatrix();
 }
 
@@ -161,7 +164,9 @@ namespace {
 using Elements = std::vector<std::unique_ptr<SourceField::Element>>;
 
 void require_positive(double value, const char* what) {
-    if (!(value > 0)) refuse("{} of {:g} m found for a source of the field", what, value);
+    if (!(value > 0))
+        refuse("{} of {:g} m found for a source of the field, it must be above 0 m", what,
+               value);
 }
 
 // Splits a source into its elements and checks its sizes.

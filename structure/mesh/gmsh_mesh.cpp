@@ -5,6 +5,8 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <numeric>
 #include <stdexcept>
@@ -49,7 +51,9 @@ void refuse_options(const std::filesystem::path& file) {
 // The library would also accept geometries and scripts, and run them.
 void check_header(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw std::runtime_error("the file cannot be opened");
+    if (!stream)
+        throw std::runtime_error(
+            fmt::format("the file cannot be opened: {}", std::strerror(errno)));
     std::string keyword, version;
     stream >> keyword >> version;
     if (keyword != "$MeshFormat") {

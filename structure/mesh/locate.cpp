@@ -95,7 +95,7 @@ std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m) 
 
 PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
     if (mesh.elements.empty()) {
-        refuse("a mesh without elements holds no point");
+        refuse("a mesh without elements found, which holds no point; one is needed");
     }
     surface_ = boundary_quads(mesh);
     Bounds all;

@@ -175,7 +175,8 @@ void refuse_broken_mesh(const Mesh& mesh, std::span<const std::size_t> names) {
     const auto name = [&](std::size_t e) {
         return static_cast<int>(names.empty() ? e : names[e]);
     };
-    if (mesh.elements.empty()) refuse("the mesh has no hexahedra");
+    if (mesh.elements.empty())
+        refuse("the mesh has no hexahedra; mesh a volume with hexahedra of 8 nodes");
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         integrate_hexahedron(gather(mesh.nodes, mesh.elements[e]), name(e));
     }

@@ -2,6 +2,8 @@
 #include "structure/mesh/mesh_file.h"
 
 #include <fmt/ranges.h>
+#include <cerrno>
+#include <cstring>
 
 #include <algorithm>
 #include <utility>
@@ -94,8 +96,7 @@ Mesh read_mesh_file(const std::filesystem::path& file) {
     Mesh mesh;
     mesh.nodes = lines.nodes(0);
     mesh.region_names.resize(lines.count("regions", 0));
-    for (std::string& name : mesh.region_names)
-        name = lines.next("a region's name").str();
+    for (std::string& name : mesh.region_names) name = lines.verbatim("a region's name");
     read_elements(lines, mesh);
     mesh.faces = read_groups(lines, "faces", mesh.nodes.size());
     mesh.points = read_groups(lines, "points", mesh.nodes.size());
@@ -136,21 +137,30 @@ std::vector<MaterialPoint> line_through(const Mesh& mesh, std::span<const int> n
 NumberedLines::NumberedLines(std::string kind, const std::filesystem::path& file)
     : kind_(std::move(kind)), file_(file), stream_(file) {
     if (!stream_) {
-        throw std::runtime_error(
-            fmt::format("cannot open the {} {}", kind_, file.string()));
+        throw std::runtime_error(fmt::format("cannot open the {} {}: {}", kind_,
+                                             file.string(), std::strerror(errno)));
     }
 }
 
 std::istringstream NumberedLines::next(const std::string& expected) {
-    std::string text;
-    while (std::getline(stream_, text)) {
+    while (std::getline(stream_, last_)) {
         ++number_;
-        const auto first = text.find_first_not_of(" \t\r");
-        if (first != std::string::npos && text[first] != '#') {
-            return std::istringstream(text);
+        const auto first = last_.find_first_not_of(" \t\r");
+        if (first != std::string::npos && last_[first] != '#') {
+            return std::istringstream(last_);
         }
     }
+    last_ = "the end of the file";
     fail(expected);
+}
+
+std::string NumberedLines::verbatim(const std::string& expected) {
+    if (!std::getline(stream_, last_)) {
+        last_ = "the end of the file";
+        fail(expected);
+    }
+    ++number_;
+    return last_;
 }
 
 std::size_t NumberedLines::count(const std::string& keyword, std::size_t least) {
@@ -177,8 +187,10 @@ std::vector<Vec3> NumberedLines::nodes(std::size_t least) {
 }
 
 void NumberedLines::fail(const std::string& expected) const {
-    throw std::runtime_error(fmt::format("{} {}, line {}: expected {}", kind_,
-                                         file_.string(), number_, expected));
+    constexpr std::size_t shown = 60;
+    throw std::runtime_error(fmt::format(
+        "{} {}, line {}: expected {}; found {}{}", kind_, file_.string(), number_,
+        expected, last_.substr(0, shown), last_.size() > shown ? "..." : ""));
 }
 
 }  // namespace magfsi::structure

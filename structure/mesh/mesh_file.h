@@ -66,6 +66,9 @@ class NumberedLines {
     // none.
     std::istringstream next(const std::string& expected);
 
+    // The next line as it stands, for a name that may be blank or begin with #.
+    std::string verbatim(const std::string& expected);
+
     // The number N of a line "keyword N". Throws if it is less than `least`.
     std::size_t count(const std::string& keyword, std::size_t least);
 
@@ -80,7 +83,8 @@ class NumberedLines {
     std::string kind_;
     std::filesystem::path file_;
     std::ifstream stream_;
-    int number_ = 0;  // number of the line read last
+    int number_ = 0;    // number of the line read last
+    std::string last_;  // that line
 };
 
 }  // namespace magfsi::structure

@@ -96,6 +96,8 @@ Mesh arc_mesh(const Arc& arc) {
 
 Mesh helix_mesh(const Helix& helix) {
     const double c = helix.pitch_m / turn, r = helix.radius_m;
+    if (!(r > 0))
+        refuse("a helix with a radius of {:g} m found; it must be above 0 m", r);
     check("a helix", helix.turns, helix.elements[0], helix.section_m[1],
           (r * r + c * c) / r);
     // Distance between turns along the width.

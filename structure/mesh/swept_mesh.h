@@ -25,7 +25,8 @@ inline bool is_ring(const Arc& arc) {
 
 // Helix about the axis x: (c t, R cos t, R sin t) with c = pitch / 2 pi and t from 0 to 2
 // pi turns; left-handed ones have -R sin t. Local z points away from the axis, the width
-// lies along the cylinder. Throws as arc_mesh does, and if turns touch each other.
+// lies along the cylinder. Throws as arc_mesh does, on a radius of 0, and if turns touch
+// each other.
 Mesh helix_mesh(const Helix& helix);
 
 // The straight block with the same length and section.

@@ -117,7 +117,7 @@ void Overlap::tell_near(const structure::Proximities& bodies,
         if (!told_.insert(what).second) return;
         run_.session.log(fmt::format(
             "warning: step {}: {} at ({:.4g}, {:.4g}, {:.4g}) mm; the fluid between them "
-            "is not resolved",
+            "is not resolved: take a finer fluid.spacing where it matters",
             run_.session.clock().step(), what, at[0] * 1e3, at[1] * 1e3, at[2] * 1e3));
     };
 

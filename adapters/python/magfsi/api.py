@@ -60,7 +60,8 @@ class PartnerLost(Error):
 def _raise(code: int, text: str) -> None:
     lines = [line for line in text.strip().splitlines() if not line.startswith("warning: ")]
     kind = {3: Diverged, 4: PartnerLost, runs.EXIT_INPUT: SceneError}.get(code, Error)
-    raise kind(lines[-1] if lines else f"ended with exit code {code}")
+    raise kind(lines[-1] if lines else f"ended with exit code {code}; run.log in the run folder "
+               "says how far it was")
 
 
 def _flat(settings: Mapping[str, Any], above: str = "") -> dict[str, str]:

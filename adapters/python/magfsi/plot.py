@@ -135,7 +135,8 @@ def draw(folder, out):
     if len(every) > len(curves):
         print(f"the first {len(curves)} of {len(every)} panels of probes")
     if not found and not curves:
-        raise data.NotARun(f"{folder}: nothing to draw: no rows in probes.csv, no structure.pvd")
+        raise data.NotARun(f"{folder}: nothing to draw: no rows in probes.csv, no structure.pvd; "
+                            "probes and output.structure in the scene write them")
     count = len(curves) + bool(found)
     rows = -(-count // COLUMNS)
     plt.rcParams.update({"font.size": 7, "axes.linewidth": 0.6, "axes.titlesize": 8})

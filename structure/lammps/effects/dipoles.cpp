@@ -192,8 +192,10 @@ class DipoleForce : public BodyForce {
     void init() override {
         const int at = modify->find_fix(fix_id_);
         if (at < 0 || std::strcmp(modify->fix[at]->style, "magttice/dipoles") != 0)
-            fail(*error, "{}: there is no fix {} of the style magttice/dipoles", who_,
-                 fix_id_);
+            fail(*error,
+                 "{}: there is no fix {} of the style magttice/dipoles; it must come "
+                 "before",
+                 who_, fix_id_);
         static_cast<FixMagtticeDipoles*>(modify->fix[at])->join(member_);
     }
     void rebuild(const OwnedElements& owned) override {

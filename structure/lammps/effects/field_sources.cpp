@@ -81,8 +81,10 @@ class SourceForce : public BodyForce {
     void init() override {
         const int at = modify->find_fix(fix_id_);
         if (at < 0 || std::strcmp(modify->fix[at]->style, "magttice/sources") != 0)
-            fail(*error, "{}: there is no fix {} of the style magttice/sources", who_,
-                 fix_id_);
+            fail(*error,
+                 "{}: there is no fix {} of the style magttice/sources; it must come "
+                 "before",
+                 who_, fix_id_);
         sources_ = static_cast<FixMagtticeSources*>(modify->fix[at]);
     }
     void rebuild(const OwnedElements& owned) override {

@@ -130,5 +130,18 @@ TEST(Slip, is_relative_to_the_faster_of_body_and_stream) {
     EXPECT_EQ(boundary_summary(SlipReport{}, 0).error, 0);
 }
 
+// Forcing no_slip is advised only where it is not in force, and can be.
+TEST(BoundaryReport, AdvisesWhatCanBeFollowed) {
+    output::BoundarySummary boundary;
+    boundary.error = 0.06;
+    EXPECT_NE(to_text(boundary, true).find("forcing: no_slip, or compare"),
+              std::string::npos);
+    const std::string held = to_text(boundary, false);
+    EXPECT_EQ(held.find("forcing: no_slip"), std::string::npos) << held;
+    EXPECT_NE(held.find("compare with a run of half the time.step"), std::string::npos);
+    boundary.error = 0.04;
+    EXPECT_EQ(to_text(boundary, true).find("warning"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace magfsi::coupler

@@ -200,7 +200,8 @@ TEST_F(ListOfOutputs, that_the_build_lacks_are_refused_by_name) {
     EXPECT_NO_THROW(outputs.need(false, "third"));
     EXPECT_EQ(
         test::message_of<std::invalid_argument>([&] { outputs.need(true, "third"); }),
-        "third is asked for, and this program was built without it");
+        "third is asked for, and this program was built without it; leave its key out, "
+        "or build the program with it");
 }
 
 // What a coupled run says about its own balance: the share that coupling costs, and the

@@ -273,6 +273,36 @@ TEST(Divergence, OfAnUnstableRunIsNamedByTheNextStep) {
     FAIL() << "the run stayed stable; it cannot show anything";
 }
 
+// A remedy that is in force already, or that the configuration refuses, is not advised.
+TEST(Divergence, AdvisesWhatCanBeFollowed) {
+    const auto said = [](FluidConfig config) {
+        config.initial_velocity = [](const Vec3&) { return Vec3{0.5, 0, 0}; };
+        Fluid fluid(MPI_COMM_WORLD, config);
+        fluid.step();
+        return to_string(*fluid.diverged());
+    };
+    FluidConfig config = lattice_fluid({9, 6, 5}, 0.501, Collision::trt);
+    test::expect_says(said(config), {"fluid.smagorinsky", "recursive_regularized"});
+    config.smagorinsky_constant = 0.1;
+    config.collision = Collision::recursive_regularized;
+    const std::string text = said(config);
+    EXPECT_EQ(text.find("smagorinsky"), std::string::npos) << text;
+    EXPECT_EQ(text.find("recursive"), std::string::npos) << text;
+}
+
+// A thinning fluid is thick at rest, and thin where it diverges.
+TEST(Divergence, NamesTheRelaxationTimeOfAThinningFluid) {
+    FluidConfig config = lattice_fluid({9, 6, 5}, 0.8, Collision::automatic);
+    config.rheology = Rheology{PowerLaw{0.1, 1e-3, 1e-4, 0.1}};
+    config.initial_velocity = [](const Vec3&) { return Vec3{0.5, 0, 0}; };
+    Fluid fluid(MPI_COMM_WORLD, config);
+    fluid.step();
+    const auto found = fluid.diverged();
+    ASSERT_TRUE(found);
+    EXPECT_LT(found->relaxation_time, 0.502);
+    EXPECT_EQ(found->cause, DivergenceCause::relaxation_time);
+}
+
 // ---- Rows outside the rank's box and values that do not match them are refused.
 
 TEST(ForeignRows, AreRefused) {

@@ -141,6 +141,7 @@ TEST(BlockMesh, RefusesEmptyBoxesAndPlates) {
 
 TEST(MeshFile, ReadsBackExactly) {
     Mesh mesh = oblique_mesh({2, 2, 1.0 / 3, 0.7, 1, 0.1, {2, 2, 1}});
+    mesh.region_names[0] = "#1 steel";
     mesh.points["the tip"] = {3};
     mesh.points["centre_line"] = {4, 0, 2, 1, 3};
     const test::TemporaryFolder folder;
@@ -174,7 +175,7 @@ TEST(MeshFile, ErrorsNameFileLineAndWhatWasExpected) {
     const std::string nodes = "nodes 1\n0 0 0\nregions 0\n";
     const std::pair<std::string, std::string> wrong[] = {
         {"knots 1\n", "line 1: expected \"nodes N\""},
-        {"nodes 1\n0 0\n", "line 2: expected three coordinates"},
+        {"nodes 1\n0 0\n", "line 2: expected three coordinates of a node; found 0 0"},
         {nodes + "elements 1\n0 0 0 0 0 0 0 1 -1\n", "line 5: expected numbers of nodes"},
         {nodes + "elements 1\n0 0 0 0 0 0 0 0 0\n", "line 5: expected eight node"},
         {nodes, "line 3: expected \"elements N\""},

@@ -164,6 +164,8 @@ TEST(SweptMesh, WhatWouldPassThroughItselfIsRefused) {
                  std::invalid_argument);
     EXPECT_THROW(helix_mesh({0.1e-3, 0.1e-3, 0.5, {0.1e-3, 0.3e-3}, {48, 1, 1}}),
                  std::invalid_argument);
+    EXPECT_THROW(helix_mesh({0, 0.1e-3, 0.5, {0.1e-3, 0.1e-3}, {48, 1, 1}}),
+                 std::invalid_argument);
 }
 
 // At the middle of an element of even points the tangent is exact: the chord's.

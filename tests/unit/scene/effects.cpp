@@ -27,6 +27,13 @@ TEST(Effects, of_a_swimmer) {
                      "inlets and outlets", "refinement", "obstacles"}));
 }
 
+TEST(Effects, AnUnknownNameIsAnError) {
+    const Scene s = read_scene(test_folder / "complete/swimmer.yaml");
+    EXPECT_TRUE(has_effect(s, "gravity"));
+    EXPECT_FALSE(has_effect(s, "contact"));
+    EXPECT_THROW(has_effect(s, "gravitation"), std::logic_error);
+}
+
 TEST(Effects, of_a_strip_on_a_platform) {
     const Scene s = read_scene(test_folder / "complete/platform.yaml");
     EXPECT_EQ(active_effects(s),

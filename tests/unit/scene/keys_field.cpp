@@ -113,6 +113,18 @@ TEST(DataSheets, GiveTheSameScene) {
     EXPECT_NEAR(uniform.vector_a_m[0] / (78e-3 / (4e-7 * pi)), 1, 1e-15);
 }
 
+// A controller's text may name files beside the scene, and what it does not name stays.
+TEST(Keys, of_a_controllers_text) {
+    const Scene scene = read_scene(test_folder / "complete/spatial.yaml");
+    const std::string grid = (test_folder / "complete/grid.csv").string();
+    const auto file = [&](const std::string& text, std::size_t source) {
+        const auto field = read_field("magnetic_field: {" + text + "}", "step", scene);
+        return std::get<GridField>(field.sources.at(source).shape).file;
+    };
+    EXPECT_EQ(file("sources: {map: {grid: {file: grid.csv}}}", 0), grid);
+    EXPECT_EQ(file("constant: {magnitude: 1 mT, direction: 0 deg}", 4), grid);
+}
+
 TEST(Keys, of_a_controller) {
     const Control control = *complete("spatial.yaml").control;
     EXPECT_TRUE(control.script.ends_with("steer.py"));

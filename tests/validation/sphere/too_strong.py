@@ -31,7 +31,7 @@ class Strength(unittest.TestCase):
         result = self.run_with(2)
         self.assertEqual(result.code, 3)
         for words in ("diverged after step", "in cell (", "the force changes its speed by",
-                      "use a softer coupling", "after coupled step"):
+                      "a smaller coupling.immersed_boundary.strength", "after coupled step"):
             self.assertIn(words, result.err)
 
 

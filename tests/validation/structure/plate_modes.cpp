@@ -118,6 +118,12 @@ TEST(ElementAdvice, SaysWhatIsWrongAndWhatHelps) {
         element_advice(ElementVariant::full, {1e-4, 1e-4, 1e-4}, 2, 1, material(20));
     test::expect_says(cube.text, {"element full in 1 layer is 49 % too soft in bending",
                                   "take element assumed_strain"});
+    // The element that is advised is not advised in its own place.
+    for (const double k_over_g : {0.0, 1.0, 20.0}) {
+        const auto best = element_advice(ElementVariant::assumed_strain,
+                                         {1e-4, 4e-4, 4e-4}, 0, 1, material(k_over_g));
+        EXPECT_EQ(best.text.find("take element"), std::string::npos) << best.text;
+    }
     EXPECT_THROW(
         element_advice(ElementVariant::full, {1e-4, 0, 1e-4}, 2, 1, material(20)),
         std::invalid_argument);

@@ -53,7 +53,8 @@ def planned(wish, dry=False):
     where that is not known. dry: not that either. Raises variants.CannotRun."""
     scene = making.Scene(wish.path, wish.sets, wish.ranks)
     if not scene.facts["scene"].get("probes"):
-        raise making.CannotRun("the scene has no probes, and so nothing to look at")
+        raise making.CannotRun(f"{wish.path}: the scene has no probes, and so nothing to look at; "
+                               "add the key probes")
     if not scene.parameters:
         raise making.CannotRun("the scene has no numerical parameter that this command varies")
     trial = making.trial(scene)
@@ -99,7 +100,8 @@ def conclude(result, wish):
     wanted = columns if wish.probes else choosing.headline(columns)
     result.headline = [p for p in result.probes if p.column in wanted]
     if not result.headline:
-        raise making.CannotRun("no probe of the scene changes")
+        raise making.CannotRun("no probe of the scene changes; name one that does with --probe, or "
+                               "give the scene a longer time.end")
     result.settings, result.advice = advising.advise(
         result.scene, result.variants, result.headline, result.faults, wish.tolerances)
     return result

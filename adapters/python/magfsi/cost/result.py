@@ -175,7 +175,7 @@ def analyse(scene, variants, column, kind, start_s=None):
     norm = probes.norm_of(column, kind, start_s)
     pairs = [probes.value(v.run, norm) for v in done]
     if not all(math.isfinite(value) for value, _ in pairs):
-        raise NoError("a value is not finite")
+        raise NoError(f"a value of {column} is not finite")
     values = np.array([value for value, _ in pairs])
     scale = pairs[int(np.argmin([np.prod([s[0] for s in v.sizes.values()]) for v in done]))][1]
     if scale == 0 or len(done) < 2:

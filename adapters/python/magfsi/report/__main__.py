@@ -25,7 +25,8 @@ def write(folders, out):
     found = [data.read_run(folder, room) for folder in folders]
     text = page.assemble(found).encode()
     if begun != [data.read_json(folder / "run.json", None) for folder in folders]:
-        raise data.NotARun(f"{folders[0]}: another run has begun in the folder meanwhile")
+        raise data.NotARun(f"{folders[0]}: another run has begun in the folder meanwhile; "
+                               "./magfsi report it when that has ended")
     beside = out.with_name(f"{out.name}.{os.getpid()}.tmp")
     try:
         beside.write_bytes(text)

@@ -36,7 +36,8 @@ def _columns(run, norm):
     values = np.array([probes[name] for _, name in norm.terms])
     kept = (times >= norm.start_s) & (times <= norm.end_s)
     if kept.sum() < 2:
-        raise NoError("fewer than two rows of probes")
+        raise NoError("fewer than two rows of probes between from and until; take a smaller "
+                      "probes.every")
     axes = {axis: s.value for axis, s in run.cell.settings.items()}
     weights = np.array([[weight(**axes) if callable(weight) else weight]
                         for weight, _ in norm.terms])
@@ -75,7 +76,8 @@ def _expected(reference, run, times, finest):
         t, v = np.array(reference.times), np.array(reference.values)
         inside = (t >= times[0] - 1e-9 * times[-1]) & (t <= times[-1] * (1 + 1e-9))
         if not inside.any():
-            raise NoError("the table and the run have no time in common")
+            raise NoError(f"the table is of {t[0]:g} s to {t[-1]:g} s and the run of "
+                          f"{times[0]:g} s to {times[-1]:g} s: they have no time in common")
         return t[inside], v[inside]
     t, v = finest
     inside = times <= t[-1] * (1 + 1e-9)
