@@ -15,7 +15,7 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 
 namespace magfsi {
 

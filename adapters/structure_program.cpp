@@ -5,9 +5,9 @@
 
 #include <numeric>
 
-#include "adapters/fluids/fluid_probes.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
+#include "adapters/solvers/fluids/fluid_probes.h"
 #include "coupler/participants/handshake.h"
 #include "coupler/participants/waiting.h"
 #include "coupler/step/report.h"

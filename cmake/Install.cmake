@@ -31,11 +31,11 @@ install(FILES ${magfsi_generated}/scene.schema.json DESTINATION ${magfsi_share})
 
 install(DIRECTORY tutorials DESTINATION ${magfsi_share})
 install(DIRECTORY docs/examples DESTINATION ${magfsi_share})
-install(FILES adapters/launcher/commands.bash adapters/launcher/completion.bash
-  adapters/launcher/completion.zsh DESTINATION ${magfsi_share}/launcher)
-install(FILES adapters/launcher/completion.bash
+install(FILES adapters/app/launcher/commands.bash adapters/app/launcher/completion.bash
+  adapters/app/launcher/completion.zsh DESTINATION ${magfsi_share}/launcher)
+install(FILES adapters/app/launcher/completion.bash
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME magfsi)
-install(FILES adapters/launcher/completion.zsh
+install(FILES adapters/app/launcher/completion.zsh
   DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _magfsi)
 install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
@@ -78,7 +78,7 @@ install(FILES fluid_lbm/effects.inc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magf
   COMPONENT dev)
 install(FILES adapters/run_scene.h adapters/structure_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/adapters
   COMPONENT dev)
-install(DIRECTORY cmake/isa cmake/fitted cmake/grid cmake/surface cmake/words
+install(DIRECTORY base
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi COMPONENT dev FILES_MATCHING PATTERN "*.h")
 configure_package_config_file(cmake/install/magfsi-config.cmake.in
   ${magfsi_generated}/magfsi-config.cmake

@@ -5,8 +5,8 @@
 # FILE must not instantiate templates of the standard library: the linker could keep the
 # AVX-512 copy of one and run it on a machine without AVX-512.
 # The default build thus runs on any x86-64 and picks its kernels at start-up:
-# isa/instruction_set.h. What kernels are written in: isa/simd.h.
-add_library(magfsi_isa STATIC ${CMAKE_CURRENT_LIST_DIR}/isa/instruction_set.cpp)
+# base/isa/instruction_set.h. What kernels are written in: base/isa/simd.h.
+add_library(magfsi_isa STATIC ${CMAKE_CURRENT_LIST_DIR}/../base/isa/instruction_set.cpp)
 target_link_libraries(magfsi_isa PUBLIC magfsi_options)
 
 function(magfsi_isa_variants target file)

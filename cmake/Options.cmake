@@ -12,11 +12,8 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 # Every target of ours links this: warnings are errors, headers are found from the top
 # ("structure/mesh/mesh.h"), and never -ffast-math, which would defeat the NaN checks.
 add_library(magfsi_options INTERFACE)
-# What all wings share stands beside the build's own files: cmake/isa, cmake/fitted,
-# cmake/grid, cmake/surface, cmake/words.
 target_include_directories(magfsi_options INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/cmake>
-  $<INSTALL_INTERFACE:include/magfsi>)
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/magfsi>)
 target_compile_features(magfsi_options INTERFACE $<INSTALL_INTERFACE:cxx_std_20>)
 target_compile_options(magfsi_options INTERFACE
   $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor;-Woverloaded-virtual;-Werror>)

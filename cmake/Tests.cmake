@@ -7,7 +7,7 @@ set(MAGFSI_MPI_ENVIRONMENT
   OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_btl_base_warn_component_unused=0
   OMPI_MCA_pml=ob1 OMP_NUM_THREADS=1
   # The same in the words of Open MPI 5, and round its crash at jobs of several programs
-  # (adapters/magfsi/mpirun.cpp).
+  # (adapters/app/mpirun.cpp).
   PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
   PRTE_MCA_hwloc_default_binding_policy=none PMIX_MCA_pmdl=^ompi)
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "words/name_of.h"
+#include "base/words/name_of.h"
 
 namespace magfsi::coupler {
 

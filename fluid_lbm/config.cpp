@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 #include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/collision/choice.h"

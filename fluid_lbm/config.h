@@ -7,9 +7,9 @@
 #include <functional>
 #include <string>
 
+#include "base/grid/cells.h"
 #include "fluid_lbm/options.h"
 #include "fluid_lbm/units.h"
-#include "grid/cells.h"
 
 namespace magfsi::fluid {
 

@@ -21,10 +21,10 @@ FluidConfig checked(const FluidConfig& config) {
 // The values of all ranks, in the order of the ranks, on every rank. Collective.
 std::vector<int> gathered(const OwnedComm& comm, const std::vector<int>& mine) {
     const int count = mine.size();
-    std::vector<int> counts(static_cast<std::size_t>(comm.size)), first(counts);
+    std::vector<int> counts(comm.size), first(counts);
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
     std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
-    std::vector<int> all(static_cast<std::size_t>(first.back() + counts.back()));
+    std::vector<int> all(first.back() + counts.back());
     MPI_Allgatherv(mine.data(), count, MPI_INT, all.data(), counts.data(), first.data(),
                    MPI_INT, comm);
     return all;

@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
+#include "base/words/name_of.h"
 #include "fluid_lbm/obstacle/shapes.h"
 #include "fluid_lbm/rheology.h"
-#include "words/name_of.h"
 
 namespace magfsi::fluid {
 

@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/words/name_of.h"
 #include "structure/formula.h"
-#include "words/name_of.h"
 
 namespace magfsi::structure {
 

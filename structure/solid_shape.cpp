@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words/path_word.h"
 #include "structure/mesh/mesh.h"
 #include "structure/refuse.h"
-#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {

@@ -14,9 +14,9 @@
 #include <iterator>
 #include <optional>
 
+#include "base/words/plain_text.h"
 #include "structure/refuse.h"
 #include "structure/table_text.h"
-#include "words/plain_text.h"
 
 namespace magfsi::structure {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/surface/triangles.h"
 #include "structure/mesh/mesh.h"
 #include "structure/options.h"
-#include "surface/triangles.h"
 
 namespace magfsi::structure {
 

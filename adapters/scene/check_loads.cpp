@@ -2,7 +2,7 @@
 // Checks of controllers, equilibria, gravity, platform, contact and coupling.
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 
 #include <fmt/format.h>
 

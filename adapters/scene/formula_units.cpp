@@ -14,8 +14,8 @@
 
 #include "adapters/scene/fault.h"
 #include "adapters/scene/quantity.h"
+#include "base/words/plain_text.h"
 #include "structure/formula.h"
-#include "words/plain_text.h"
 
 namespace magfsi::scene {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "adapters/scene/fault.h"
-#include "words/plain_text.h"
+#include "base/words/plain_text.h"
 
 namespace magfsi::scene {
 

@@ -10,7 +10,7 @@
 #include "adapters/scene/field.h"
 #include "adapters/scene/formula_units.h"
 #include "adapters/scene/quantity.h"
-#include "words/plain_text.h"
+#include "base/words/plain_text.h"
 
 namespace magfsi::scene {
 

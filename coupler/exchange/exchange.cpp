@@ -80,8 +80,8 @@ void receive_from(const World& world, const std::vector<int>& ranks, int tag,
             MPI_Get_count(&status, MPI_DOUBLE, &numbers);
             message.resize(numbers);
         }
-        MPI_Irecv(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, rank, tag,
-                  world.partner(), &requests.emplace_back());
+        MPI_Irecv(message.data(), message.size(), MPI_DOUBLE, rank, tag, world.partner(),
+                  &requests.emplace_back());
     }
     wait_all(requests, timeout_s, what);
     sending.clear();
@@ -183,7 +183,7 @@ StructureExchange::StructureExchange(const World& world, Grid grid, Kernel kerne
       forcing_(forcing),
       bodies_(bodies),
       body_of_(std::move(body_of)),
-      out_(static_cast<std::size_t>(world.partner_size())),
+      out_(world.partner_size()),
       in_(out_.size()) {}
 
 StructureExchange::~StructureExchange() {
@@ -275,7 +275,7 @@ FluidExchange::FluidExchange(const World& world, double timeout_s, Forcing forci
       timeout_s_(timeout_s),
       forcing_(forcing),
       follower_(follower),
-      count_(static_cast<std::size_t>(world.partner_size())),
+      count_(world.partner_size()),
       in_(count_.size()),
       out_(count_.size()) {}
 

@@ -54,8 +54,7 @@ std::vector<double> BalanceRecord::collect(MPI_Comm comm) {
     const std::vector<double> mine = values();
     steps_.clear();
     std::vector<double> all(mine.size());
-    MPI_Reduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE,
-               MPI_SUM, 0, comm);
+    MPI_Reduce(mine.data(), all.data(), mine.size(), MPI_DOUBLE, MPI_SUM, 0, comm);
     return all;
 }
 

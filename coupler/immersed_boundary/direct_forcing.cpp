@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fitted/constants.h"
 #include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/immersed_boundary/running_mean.h"
-#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 

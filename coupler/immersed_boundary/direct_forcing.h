@@ -16,9 +16,9 @@
 #include <span>
 #include <vector>
 
+#include "base/fitted/constants.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/options.h"
-#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 

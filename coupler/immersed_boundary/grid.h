@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/cells.h"
+#include "base/grid/cells.h"
 
 namespace magfsi::coupler {
 

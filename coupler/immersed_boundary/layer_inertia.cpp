@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "base/fitted/constants.h"
 #include "coupler/immersed_boundary/running_mean.h"
-#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 

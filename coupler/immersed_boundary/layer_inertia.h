@@ -3,10 +3,10 @@
 // sheet.
 //
 // In motion along its surface a layer of markers moves fluid as if it had a thickness of
-// its own, 1.1 to 1.7 grid spacings (adapters/bodies/wall_of_planes.h). Where the sheet
-// is thinner, the difference is fluid that moves with it and should not. Its inertia is
-// taken away by giving the fluid the momentum that this fluid gains, without a reaction
-// on the body,
+// its own, 1.1 to 1.7 grid spacings (adapters/solvers/bodies/wall_of_planes.h). Where the
+// sheet is thinner, the difference is fluid that moves with it and should not. Its
+// inertia is taken away by giving the fluid the momentum that this fluid gains, without a
+// reaction on the body,
 //   J <- J + rho dV (W - W'),  W = (1 - n n) V,
 // with n the normal, V the marker's mean velocity in the step, W' the W of the step
 // before, and dV the volume outside the sheet's own, negative where the sheet is thicker

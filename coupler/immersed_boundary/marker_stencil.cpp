@@ -72,7 +72,7 @@ SolidCells::SolidCells(const Grid& grid) : cells_(grid.cells) {
     std::size_t count = 1;
     for (std::size_t d = 0; d < 3; ++d) {
         size_[d] = hi[d] - lo_[d];
-        count *= static_cast<std::size_t>(size_[d]);
+        count *= size_[d];
     }
     solid_.assign(count, false);
     for (const GridRow& r : grid.solid) {

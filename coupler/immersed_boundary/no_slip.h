@@ -32,8 +32,8 @@
 #include <span>
 #include <vector>
 
+#include "base/fitted/constants.h"
 #include "coupler/immersed_boundary/direct_forcing.h"
-#include "fitted/constants.h"
 
 namespace magfsi::coupler {
 

@@ -58,8 +58,7 @@ SlipReport SlipRecord::collect(MPI_Comm comm) const {
     MPI_Allreduce(MPI_IN_PLACE, &report.markers, 1, MPI_INT64_T, MPI_SUM, comm);
     std::vector<double> sums(slip2_);
     sums.insert(sums.end(), {speed2_, leakage_m3_s_, surface_m2_});
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE,
-                  MPI_SUM, comm);
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, comm);
     if (report.samples == 0 || report.markers == 0) return report;
     const double samples = report.samples;
     const double markers = report.markers;

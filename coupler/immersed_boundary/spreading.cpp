@@ -24,7 +24,7 @@ TouchedRows::TouchedRows(const Grid& grid, const std::vector<CellBox>& boxes,
         parts_.push_back({box, slots});
         slots += (box.hi[1] - box.lo[1]) * (box.hi[2] - box.lo[2]);
     }
-    row_of_.assign(static_cast<std::size_t>(slots), -1);
+    row_of_.assign(slots, -1);
 }
 
 int TouchedRows::part_of(const MarkerStencil& stencil) const {
@@ -183,7 +183,7 @@ void TouchedRows::place(std::span<const Vec3> points_m) {
     cells_ = 0;
     for (const GridRow& r : rows_) {
         origin_.push_back(static_cast<std::ptrdiff_t>(cells_) - r.x_begin);
-        cells_ += static_cast<std::size_t>(r.x_end - r.x_begin);
+        cells_ += r.x_end - r.x_begin;
     }
 }
 

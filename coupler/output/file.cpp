@@ -36,7 +36,7 @@ void File::write(std::span<const std::byte> bytes) {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) throw FileError(path_, errno);
-        size_bytes_ += static_cast<std::size_t>(written);
+        size_bytes_ += written;
         bytes = bytes.subspan(written);
     }
 }

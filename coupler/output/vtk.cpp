@@ -40,7 +40,7 @@ void check_size(const Field& field, std::size_t tuples, std::string_view what) {
         throw std::invalid_argument(
             fmt::format("VTK field '{}' has {} components; at least 1", field.name,
                         field.components));
-    const std::size_t wanted = tuples * static_cast<std::size_t>(field.components);
+    const std::size_t wanted = tuples * field.components;
     if (count(field.values) != wanted)
         throw std::invalid_argument(fmt::format(
             "VTK field '{}' has {} values; {} {} of {} components need {}", field.name,
@@ -196,8 +196,7 @@ void check_partition(const CellExtent& whole, std::span<const ImagePiece> pieces
 
 std::size_t CellExtent::cells() const {
     std::size_t product = 1;
-    for (std::size_t d = 0; d < 3; ++d)
-        product *= static_cast<std::size_t>(std::max(0, hi[d] - lo[d]));
+    for (std::size_t d = 0; d < 3; ++d) product *= std::max(0, hi[d] - lo[d]);
     return product;
 }
 

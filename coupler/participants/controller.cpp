@@ -39,7 +39,7 @@ std::string receive(MPI_Comm comm) {
     MPI_Probe(0, tag, comm, &status);
     int size = 0;
     MPI_Get_count(&status, MPI_BYTE, &size);
-    std::string message(static_cast<std::size_t>(size), ' ');
+    std::string message(size, ' ');
     MPI_Recv(message.data(), size, MPI_BYTE, 0, tag, comm, MPI_STATUS_IGNORE);
     return message;
 }
@@ -107,8 +107,8 @@ std::string Controller::request(Request kind, std::string_view content,
     std::string message(1, static_cast<char>(kind));
     message += content;
     MPI_Request sending;
-    MPI_Isend(message.data(), static_cast<int>(message.size()), MPI_BYTE, 0, tag,
-              world_.controller(), &sending);
+    MPI_Isend(message.data(), message.size(), MPI_BYTE, 0, tag, world_.controller(),
+              &sending);
     wake(world_.controller_process());
     std::string found = answer(what);
     wait_all({&sending, 1}, plan_.timeout_s, what);

@@ -65,7 +65,7 @@ std::string swap_text(const World& world, const std::string& mine, double timeou
     std::int64_t size = 0;
     swap_with_partner(world, &my_size, sizeof my_size, &size, sizeof size, timeout_s,
                       what);
-    std::string theirs(static_cast<std::size_t>(size), ' ');
+    std::string theirs(size, ' ');
     swap_with_partner(world, mine.data(), static_cast<int>(mine.size()), theirs.data(),
                       static_cast<int>(size), timeout_s, what);
     return theirs;

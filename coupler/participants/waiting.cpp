@@ -238,8 +238,7 @@ void wait_all(std::span<MPI_Request> requests, double timeout_s,
     wait_until(
         [&] {
             int done = 0;
-            MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done,
-                        MPI_STATUSES_IGNORE);
+            MPI_Testall(requests.size(), requests.data(), &done, MPI_STATUSES_IGNORE);
             return done != 0;
         },
         timeout_s, what);

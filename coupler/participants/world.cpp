@@ -35,7 +35,7 @@ std::vector<Member> members_of_world(Role self, std::uint64_t scene_hash) {
     name.copy(mine.program.data(), mine.program.size() - 1);
     int world_size = 0;
     MPI_Comm_size(MPI_COMM_WORLD, &world_size);
-    std::vector<Member> all(static_cast<std::size_t>(world_size));
+    std::vector<Member> all(world_size);
     MPI_Allgather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE,
                   MPI_COMM_WORLD);
     return all;

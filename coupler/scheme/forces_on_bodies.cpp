@@ -9,8 +9,7 @@ namespace {
 
 // Adds vectors over the ranks, with the result on all of them. Collective.
 std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
-                  MPI_SUM, comm);
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), 3 * sum.size(), MPI_DOUBLE, MPI_SUM, comm);
     return sum;
 }
 

@@ -74,7 +74,7 @@ void solve_on_root(const Matrix& r, double limit, std::vector<double>& coefficie
         const Eigen::VectorXd c =
             square.triangularView<Eigen::Upper>().solve(-t.col(m).head(m));
         for (Eigen::Index i = 0; i < m; ++i) {
-            const std::size_t column = columns[std::size_t(i)];
+            const std::size_t column = columns[i];
             coefficient[column] = c(i);
             kept[column] = 1;
         }
@@ -100,8 +100,8 @@ LeastSquares solve_least_squares(MPI_Comm comm,
     int rank = 0;
     MPI_Comm_rank(comm, &rank);
     if (rank == 0) solve_on_root(r, limit, result.coefficient, kept);
-    MPI_Bcast(result.coefficient.data(), static_cast<int>(n), MPI_DOUBLE, 0, comm);
-    MPI_Bcast(kept.data(), static_cast<int>(n), MPI_INT, 0, comm);
+    MPI_Bcast(result.coefficient.data(), n, MPI_DOUBLE, 0, comm);
+    MPI_Bcast(kept.data(), n, MPI_INT, 0, comm);
     for (std::size_t i = 0; i < n; ++i) result.kept[i] = kept[i] != 0;
     return result;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupler/scheme/structure_coupling.h"
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 
 #include <fmt/format.h>
 

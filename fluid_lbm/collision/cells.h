@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
+#include "base/isa/simd.h"
 #include "fluid_lbm/lattice/d3q19.h"
-#include "isa/simd.h"
 
 namespace magfsi::fluid {
 

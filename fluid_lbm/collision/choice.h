@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 #include "fluid_lbm/options.h"
 #include "fluid_lbm/rheology.h"
 

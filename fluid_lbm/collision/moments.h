@@ -3,8 +3,8 @@
 // a vector of cells at a time.
 #pragma once
 
+#include "base/isa/simd.h"
 #include "fluid_lbm/lattice/d3q19.h"
-#include "isa/simd.h"
 
 namespace magfsi::fluid {
 

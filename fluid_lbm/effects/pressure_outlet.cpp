@@ -10,7 +10,7 @@
 // velocity: a velocity that is taken from inside and carried in again would grow.
 #include <cmath>
 
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 #include "fluid_lbm/boundary/outflow.h"
 
 namespace magfsi::fluid {

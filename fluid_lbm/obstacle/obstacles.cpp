@@ -308,8 +308,7 @@ void check_counts(const FluidConfig& config, const std::vector<long long>& cells
 
 void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map) {
     std::vector<long long> cells = map.cell_counts();
-    MPI_Allreduce(MPI_IN_PLACE, cells.data(), static_cast<int>(cells.size()),
-                  MPI_LONG_LONG, MPI_SUM, comm);
+    MPI_Allreduce(MPI_IN_PLACE, cells.data(), cells.size(), MPI_LONG_LONG, MPI_SUM, comm);
     check_counts(config, cells);
 }
 

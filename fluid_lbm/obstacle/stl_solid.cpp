@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/surface/triangles.h"
 #include "fluid_lbm/obstacle/solid.h"
 #include "fluid_lbm/refuse.h"
-#include "surface/triangles.h"
 
 namespace magfsi::fluid {
 

@@ -80,8 +80,8 @@ SlotsType::SlotsType(const RowLayout& layout, const Populations& populations, in
         lengths.push_back(range.bytes);
         offsets.push_back(range.offset);
     }
-    MPI_Type_create_hindexed(static_cast<int>(lengths.size()), lengths.data(),
-                             offsets.data(), MPI_BYTE, &type_);
+    MPI_Type_create_hindexed(lengths.size(), lengths.data(), offsets.data(), MPI_BYTE,
+                             &type_);
     MPI_Type_commit(&type_);
 }
 
@@ -149,8 +149,7 @@ void Halo::send_next() {
 void Halo::wait() {
     if (requests_.empty()) return;
     const double start_s = MPI_Wtime();
-    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(),
-                MPI_STATUSES_IGNORE);
+    MPI_Waitall(requests_.size(), requests_.data(), MPI_STATUSES_IGNORE);
     waited_s_ += MPI_Wtime() - start_s;
     requests_.clear();
 }

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "grid/cells.h"
+#include "base/grid/cells.h"
 
 namespace magfsi::fluid {
 

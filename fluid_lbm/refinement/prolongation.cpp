@@ -175,7 +175,7 @@ Prolongation::Piece::Piece(const CellBox& fine_cells, const Level& level,
         expansion_of(weights_along(fine, level.place, place, line), coarse.lo[line]);
     across = weights_along(fine, level.place, place, other);
     up = weights_along(fine, level.place, place, 2);
-    flow.resize(numbers * static_cast<std::size_t>(cells_of(coarse)));
+    flow.resize(numbers * cells_of(coarse));
     find_solids(level);
 }
 
@@ -295,7 +295,7 @@ void Prolongation::run(const Level& coarse, Level& fine) {
                 add_velocity(at, row.size());
                 return;
             }
-            row_.resize(numbers * static_cast<std::size_t>(row.size()));
+            row_.resize(numbers * row.size());
             read(from, owned, row_.data());
             piece.take(row, row_.data());
         });

@@ -153,7 +153,7 @@ std::vector<CellBox> band_of(const LevelPlace& fine) {
 Restriction::Piece::Piece(const CellBox& share, const Level& level)
     : coarse(share),
       fine(fine_beneath(share, level.place)),
-      flow(cell_numbers * static_cast<std::size_t>(cells_of(share))) {
+      flow(cell_numbers * cells_of(share)) {
     for (int x = coarse.lo[0]; x < coarse.hi[0]; ++x)
         along.push_back(fine_in(x, level.place, 0));
 }
@@ -350,7 +350,7 @@ void Restriction::run(Level& coarse, const Level& fine) {
             const CellBox& box = halo_[b];
             const std::size_t at =
                 (row.z - box.lo[2]) * (box.hi[1] - box.lo[1]) + row.y - box.lo[1];
-            const std::size_t count = cell_numbers * static_cast<std::size_t>(row.size());
+            const std::size_t count = cell_numbers * row.size();
             std::copy_n(flow, count, halo_flow_[b].data() + at * count);
         });
     for (std::size_t i = 0; i < pieces_.size(); ++i) {

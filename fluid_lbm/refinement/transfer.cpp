@@ -68,8 +68,8 @@ void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take,
     std::vector<MPI_Request> requests;
     for (std::size_t i = 0; i < from_.size(); ++i) {
         received_[i].resize(numbers * cells_with(in_, from_[i]));
-        MPI_Irecv(received_[i].data(), static_cast<int>(received_[i].size()), MPI_DOUBLE,
-                  from_[i], transfer_tag, comm_, &requests.emplace_back());
+        MPI_Irecv(received_[i].data(), received_[i].size(), MPI_DOUBLE, from_[i],
+                  transfer_tag, comm_, &requests.emplace_back());
     }
     for (std::size_t i = 0; i < to_.size(); ++i) {
         sent_[i].resize(numbers * cells_with(out_, to_[i]));
@@ -78,30 +78,30 @@ void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take,
             if (part.rank != to_[i]) continue;
             for_each_row(part.cells, [&](const CellRow& row) {
                 read(part.from, less(row, part.image), at);
-                at += numbers * static_cast<std::size_t>(row.size());
+                at += numbers * row.size();
             });
         }
-        MPI_Isend(sent_[i].data(), static_cast<int>(sent_[i].size()), MPI_DOUBLE, to_[i],
-                  transfer_tag, comm_, &requests.emplace_back());
+        MPI_Isend(sent_[i].data(), sent_[i].size(), MPI_DOUBLE, to_[i], transfer_tag,
+                  comm_, &requests.emplace_back());
     }
     if (pass) {
         pass_to_itself(pass);
     } else {
         pass_to_itself([&](std::size_t from, const CellRow& owned, std::size_t box,
                            const CellRow& row) {
-            row_.resize(numbers * static_cast<std::size_t>(row.size()));
+            row_.resize(numbers * row.size());
             read(from, owned, row_.data());
             take(box, row, row_.data());
         });
     }
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
     for (std::size_t i = 0; i < from_.size(); ++i) {
         const double* at = received_[i].data();
         for (const Part& part : in_) {
             if (part.rank != from_[i]) continue;
             for_each_row(part.cells, [&](const CellRow& row) {
                 take(part.box, row, at);
-                at += numbers * static_cast<std::size_t>(row.size());
+                at += numbers * row.size();
             });
         }
     }

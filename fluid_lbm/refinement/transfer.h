@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "grid/cells.h"
+#include "base/grid/cells.h"
 
 namespace magfsi::fluid {
 

@@ -65,8 +65,7 @@ void change_row(const View& view, const CellRow& row, Use&& use) {
 template <std::size_t Numbers, class T>
 std::array<T*, Numbers> arrays(T* first, int count) {
     std::array<T*, Numbers> all;
-    for (std::size_t i = 0; i < Numbers; ++i)
-        all[i] = first + i * static_cast<std::size_t>(count);
+    for (std::size_t i = 0; i < Numbers; ++i) all[i] = first + i * count;
     return all;
 }
 
@@ -122,7 +121,7 @@ void write_flow_along_y(const View& view, const CellBox& plane, const double* fl
                       width = plane.hi[0] - plane.lo[0];
             const std::size_t n = count;
             thread_local std::vector<Real> columns;
-            columns.resize(d3q19::directions * n * static_cast<std::size_t>(width));
+            columns.resize(d3q19::directions * n * width);
             for (int x = 0; x < width; ++x) {
                 const auto first = static_cast<std::size_t>(x) * n;
                 const auto at = arrays<d3q19::directions>(
@@ -141,8 +140,7 @@ void write_flow_along_y(const View& view, const CellBox& plane, const double* fl
                 const Real* from = columns.data() + static_cast<std::size_t>(q) * n;
                 for (int y = 0; y < count; ++y, to += stride, ++from) {
                     __builtin_prefetch(to + rows_ahead * stride, 1, 3);
-                    for (int x = 0; x < width; ++x)
-                        to[x] = from[static_cast<std::size_t>(x) * apart];
+                    for (int x = 0; x < width; ++x) to[x] = from[x * apart];
                 }
             }
         },

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "base/grid/cells.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/streaming/kernel_choice.h"
-#include "grid/cells.h"
 
 namespace magfsi::fluid {
 

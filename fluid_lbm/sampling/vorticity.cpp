@@ -92,9 +92,9 @@ void VelocityField::exchange() {
                 std::copy_n(row_at(side == 0 ? 0 : count - 1, i), row_size,
                             sent.data() + static_cast<std::size_t>(i) * row_size);
             }
-            MPI_Sendrecv(sent.data(), static_cast<int>(sent.size()), MPI_DOUBLE, peer(to),
-                         side, received.data(), static_cast<int>(received.size()),
-                         MPI_DOUBLE, peer(from), side, state_.comm, MPI_STATUS_IGNORE);
+            MPI_Sendrecv(sent.data(), sent.size(), MPI_DOUBLE, peer(to), side,
+                         received.data(), received.size(), MPI_DOUBLE, peer(from), side,
+                         state_.comm, MPI_STATUS_IGNORE);
             if (from == no_rank) continue;
             for (int i = 0; i < rows; ++i) {
                 std::copy_n(received.data() + static_cast<std::size_t>(i) * row_size,

@@ -4,10 +4,10 @@
 
 #include <variant>
 
+#include "base/isa/instruction_set.h"
 #include "fluid_lbm/config.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/streaming/kernels.h"
-#include "isa/instruction_set.h"
 
 namespace magfsi::fluid {
 

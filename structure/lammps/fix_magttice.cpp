@@ -17,11 +17,11 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "base/words/path_word.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/register_styles.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
-#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {

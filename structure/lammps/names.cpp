@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/words/path_word.h"
 #include "structure/refuse.h"
-#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {

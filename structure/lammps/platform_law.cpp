@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {

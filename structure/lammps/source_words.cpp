@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "base/words/path_word.h"
 #include "structure/lammps/motion_words.h"
-#include "words/path_word.h"
 
 namespace magfsi::structure {
 

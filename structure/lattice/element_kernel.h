@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "isa/instruction_set.h"
+#include "base/isa/instruction_set.h"
 #include "structure/lattice/kernel_data.h"
 #include "structure/lattice/lattice.h"
 

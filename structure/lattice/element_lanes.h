@@ -5,7 +5,7 @@
 // each instruction set has its own copy.
 #pragma once
 
-#include "isa/simd.h"
+#include "base/isa/simd.h"
 #include "structure/lattice/kernel_data.h"
 
 #if !defined(MAGFSI_ISA)

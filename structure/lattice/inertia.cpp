@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 #include "structure/lattice/hexahedron.h"
 
 namespace magfsi::structure {

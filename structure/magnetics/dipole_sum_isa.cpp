@@ -2,7 +2,7 @@
 // The pair law of dipoles.h for several sources at a time.
 #include <immintrin.h>
 
-#include "isa/simd.h"
+#include "base/isa/simd.h"
 #include "structure/magnetics/dipole_sum.h"
 
 #if !defined(MAGFSI_ISA)

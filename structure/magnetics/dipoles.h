@@ -26,7 +26,7 @@
 #include <array>
 #include <vector>
 
-#include "isa/instruction_set.h"
+#include "base/isa/instruction_set.h"
 #include "structure/lattice/hexahedron.h"
 #include "structure/magnetics/dipole_sum.h"
 #include "structure/magnetics/source_field.h"

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 #include "structure/mesh/mesh_check.h"
 
 namespace magfsi::structure {

@@ -24,7 +24,7 @@ BOUND = 1e-3
 STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
 # The lists of effects, each with the folder beside it; of outputs, by the program that writes.
 STRUCTURE_LIST, FLUID_LIST = "structure/lammps/effects.inc", "fluid_lbm/effects.inc"
-OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/outputs.inc", FLUID: "adapters/fluids/outputs.inc"}
+OUTPUT_LISTS = {STRUCTURE: "adapters/solvers/lammps/outputs.inc", FLUID: "adapters/solvers/fluids/outputs.inc"}
 
 # Scenes with every effect but the one that is looked at, and settings that shorten them.
 TESTS = testing.ROOT / "tests"
@@ -90,12 +90,12 @@ EFFECTS = {
     "free_slip": of_fluid("free_slip"),
     "velocity_inlet": of_fluid("velocity_inlet"),
     "pressure_outlet": of_fluid("pressure_outlet"),
-    "overlap": output("overlap", "structure/mesh/proximity.*", "adapters/bodies/solids_around.*",
+    "overlap": output("overlap", "structure/mesh/proximity.*", "adapters/solvers/bodies/solids_around.*",
                       absent={"coupling.overlap": "allow"}, coupled=[STRUCTURE]),
     "probes": [*output("probes", alone=[FLUID]),
                *output("probes", absent={"probes": "null"}, alone=[STRUCTURE], coupled=BOTH)],
     "control": output("control", absent={"control": "null"}, alone=[STRUCTURE]),
-    "structure_fields": output("structure_fields", "adapters/bodies/structure_files.*",
+    "structure_fields": output("structure_fields", "adapters/solvers/bodies/structure_files.*",
                                alone=[STRUCTURE], coupled=[STRUCTURE]),
     "fluid_fields": output("fluid_fields", alone=[FLUID], coupled=[FLUID]),
     "checkpoint": output("checkpoint", "coupler/checkpoint/checkpoints.*",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Each number of cmake/fitted/constants.h says which tests hold it, which are there, and is used.
+"""Each number of base/fitted/constants.h says which tests hold it, which are there, and is used.
 
     fitted.py BUILD      the build's folder, whose tests are listed by ctest
 """
@@ -11,7 +11,7 @@ from pathlib import Path
 from tiers import tiers_of_tests
 
 ROOT = Path(__file__).resolve().parents[2]
-HEADER = ROOT / "cmake/fitted/constants.h"
+HEADER = ROOT / "base/fitted/constants.h"
 ROOMS = ("structure", "fluid_lbm", "coupler", "adapters")
 
 

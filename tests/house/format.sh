@@ -6,5 +6,5 @@ if ! command -v clang-format >/dev/null; then
     echo "skipped: clang-format is not installed (apt install clang-format)"
     exit 77
 fi
-find cmake/isa cmake/fitted cmake/grid cmake/surface cmake/words structure fluid_lbm coupler adapters tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find base structure fluid_lbm coupler adapters tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
     xargs -0 clang-format --dry-run -Werror

@@ -13,7 +13,7 @@ import re
 import sys
 import tempfile
 
-ROOMS = ("structure", "fluid_lbm", "coupler", "adapters", "tests", "tutorials", "cmake")
+ROOMS = ("structure", "fluid_lbm", "coupler", "adapters", "tests", "tutorials", "base")
 CODE = {".h", ".cpp", ".H", ".C"}
 COUNTED = CODE | {".py", ".cmake"}
 LONGEST_FILE = 450
@@ -21,14 +21,14 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 # Room: the rooms that it must not see.
 FORBIDDEN_ROOMS = {
-    "cmake/": ("structure/", "fluid_lbm/", "coupler/", "adapters/"),
+    "base/": ("structure/", "fluid_lbm/", "coupler/", "adapters/"),
     "structure/": ("fluid_lbm/", "coupler/", "adapters/"),
     "fluid_lbm/": ("structure/", "coupler/", "adapters/"),
     "coupler/": ("structure/", "fluid_lbm/", "adapters/"),
 }
 # Headers from outside: the only rooms that may see them.
 LAMMPS_ROOMS = ("structure/lammps/", "adapters/", "tests/")
-OPENFOAM_ROOMS = ("adapters/openfoam/",)
+OPENFOAM_ROOMS = ("adapters/solvers/openfoam/",)
 # An effect's folder: nobody but itself, and the tests, may see what is in it.
 EFFECT = re.compile(r"^.*?/effects/[^/]+/")
 
@@ -55,7 +55,7 @@ def edges(root, path):
     """(what is included, whether it is a file of ours, whether in quotes)."""
     for mark, name in INCLUDE.findall(path.read_text(errors="replace")):
         quoted = mark == '"'
-        for base in (root, root / "cmake", path.parent) if quoted else (root,):
+        for base in (root, path.parent) if quoted else (root,):
             if (base / name).is_file():
                 resolved = os.path.normpath(base / name)  # "../" names a room, too
                 yield os.path.relpath(resolved, root), True, quoted
@@ -75,7 +75,7 @@ def reason(file, name, ours, quoted):
             return f"{effect[0]} is an effect's own folder"
         return None
     if is_openfoam(name) and not file.startswith(OPENFOAM_ROOMS):
-        return "OpenFOAM headers are for adapters/openfoam/ only"
+        return "OpenFOAM headers are for adapters/solvers/openfoam/ only"
     if is_lammps(name, quoted) and not file.startswith(LAMMPS_ROOMS):
         return "LAMMPS headers are for structure/lammps/ and adapters/ only"
     return None
@@ -118,14 +118,14 @@ PLANTED = {  # what one more file holds: what the report must say
     ("structure/c.h", '#include "atom.h"'): "LAMMPS headers are for",
     ("structure/d.h", "#include <lammps/atom.h>"): "LAMMPS headers are for",
     ("structure/e.h", '#include "structure/lammps/fix.h"'): "fix.h -> atom.h: LAMMPS",
-    ("fluid_lbm/a.cpp", '#include "adapters/lbm/p.h"'): "must not know adapters/",
+    ("fluid_lbm/a.cpp", '#include "adapters/solvers/lbm/p.h"'): "must not know adapters/",
     ("fluid_lbm/b.cpp", "#include <coupler/c.h>"): "must not know coupler/",
     ("coupler/a.h", '#include "structure/mesh.h"'): "must not know structure/",
     ("coupler/b.h", '#include "../fluid_lbm/fluid.h"'): "must not know fluid_lbm/",
     ("coupler/e.h", '#include "adapters/scene/s.h"'): "must not know adapters/",
     ("coupler/d.h", '#include "lammps.h"'): "LAMMPS headers are for",
-    ("adapters/lbm/a.h", '#include "fvCFD.H"'): "OpenFOAM headers are for",
-    ("adapters/lbm/b.h", '#include "adapters/openfoam/o.h"'): "OpenFOAM headers are for",
+    ("adapters/solvers/lbm/a.h", '#include "fvCFD.H"'): "OpenFOAM headers are for",
+    ("adapters/solvers/lbm/b.h", '#include "adapters/solvers/openfoam/o.h"'): "OpenFOAM headers are for",
     # structure/innocent.h includes this one, and is not to blame.
     ("structure/guilty.h", '#include "fluid_lbm/fluid.h"'): "guilty.h -> fluid_lbm",
     ("structure/lammps/s.cpp", '#include "structure/lammps/effects/drag/drag.h"'):
@@ -138,9 +138,9 @@ ALLOWED = {
     "fluid_lbm/fluid.h": "#include <mpi.h>",
     "coupler/c.h": '#include "coupler/d2.h"',
     "coupler/d2.h": '// the text "fluid_lbm/fluid.h" in a comment is no include',
-    "adapters/lbm/p.h": '#include "fluid_lbm/fluid.h"\n#include "coupler/c.h"',
+    "adapters/solvers/lbm/p.h": '#include "fluid_lbm/fluid.h"\n#include "coupler/c.h"',
     "adapters/scene/s.h": '#include "fluid_lbm/fluid.h"\n#include "coupler/d2.h"',
-    "adapters/openfoam/o.h": '#include "fvCFD.H"',
+    "adapters/solvers/openfoam/o.h": '#include "fvCFD.H"',
     "structure/innocent.h": '#include "structure/guilty.h"',
     "structure/lammps/effects/drag/drag.h": "#include <vector>",
     "structure/lammps/effects/drag/drag.cpp":

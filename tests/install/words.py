@@ -29,7 +29,7 @@ class Checkout:
     def __init__(self):
         self.folder = Path(testing.new_folder())
         self.top = self.folder / "magfsi"
-        for part in ("adapters/launcher", "adapters/python", "tutorials/strip"):
+        for part in ("adapters/app/launcher", "adapters/python", "tutorials/strip"):
             shutil.copytree(testing.ROOT / part, self.top / part,
                             ignore=shutil.ignore_patterns("__pycache__"))
         for part in ("magfsi", "CMakeLists.txt"):

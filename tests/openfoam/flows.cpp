@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include "adapters/openfoam/foam_fluid.h"
+#include "adapters/solvers/openfoam/foam_fluid.h"
 #include "fluid_lbm/fluid.h"
 
 namespace magfsi {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A graded axis: cubic cells where they are wanted, gentle growth elsewhere, all of the
 // box.
-#include "adapters/openfoam/mesh.h"
+#include "adapters/solvers/openfoam/mesh.h"
 
 #include <gtest/gtest.h>
 

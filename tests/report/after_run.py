@@ -90,7 +90,7 @@ class Page(unittest.TestCase):
             self.assertFalse((folder / "report.html").exists())
 
     def test_the_launcher_asks_for_it_and_nothing_else_does(self):
-        launcher = (testing.ROOT / "adapters/launcher/commands.bash").read_text()
+        launcher = (testing.ROOT / "adapters/app/launcher/commands.bash").read_text()
         self.assertEqual(launcher.count("MAGFSI_PAGE"), 2)  # set once, where the word is run
         self.assertIn("export MAGFSI_PAGE=${MAGFSI_PAGE:-yes}", launcher)
 

@@ -146,8 +146,8 @@ void FixMagtticeDipoles::gather() {
         }
     }
     all_.resize(6 * dipoles_.size());
-    MPI_Allgatherv(mine_.data(), static_cast<int>(mine_.size()), MPI_DOUBLE, all_.data(),
-                   counts_.data(), starts_.data(), MPI_DOUBLE, world);
+    MPI_Allgatherv(mine_.data(), mine_.size(), MPI_DOUBLE, all_.data(), counts_.data(),
+                   starts_.data(), MPI_DOUBLE, world);
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
         const double* row = all_.data() + 6 * i;
         dipoles_.set(static_cast<std::size_t>(numbers_[i]),

@@ -12,7 +12,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "isa/instruction_set.h"
+#include "base/isa/instruction_set.h"
 #include "tests/bench/lbm/measure.h"
 
 namespace magfsi::bench {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "adapters/lammps/engine.h"
+#include "adapters/solvers/lammps/engine.h"
 
 #include <gtest/gtest.h>
 

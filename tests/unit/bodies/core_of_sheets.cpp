@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "adapters/bodies/marker_placement.h"
-#include "adapters/bodies/scene_to_body.h"
+#include "adapters/solvers/bodies/marker_placement.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::bodies {
 namespace {

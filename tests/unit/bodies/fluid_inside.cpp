@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What of the fluid inside a body comes off its nodes' mass, and that nothing is lost.
-#include "adapters/bodies/fluid_inside.h"
+#include "adapters/solvers/bodies/fluid_inside.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "adapters/bodies/scene_to_body.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::bodies {

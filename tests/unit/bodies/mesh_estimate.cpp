@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The error of a block of more than 750 elements is told from coarser ones, against the
 // error that it has.
-#include "adapters/bodies/mesh_estimate.h"
+#include "adapters/solvers/bodies/mesh_estimate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "adapters/bodies/scene_to_body.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/equilibrium/mesh_error.h"
 
 namespace magfsi::bodies {

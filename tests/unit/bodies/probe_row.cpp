@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The names of the bodies' columns of probes.csv are a promise to every script that reads
 // them, and each has its value.
-#include "adapters/bodies/probe_row.h"
+#include "adapters/solvers/bodies/probe_row.h"
 
 #include <gtest/gtest.h>
 
-#include "adapters/bodies/scene_to_body.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::bodies {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Where planes of markers put their wall, against the same theory by other means: a box
 // of 256 spacings and numpy (tests/validation/no_slip/lattice_response.py).
-#include "adapters/bodies/wall_of_planes.h"
+#include "adapters/solvers/bodies/wall_of_planes.h"
 
 #include <gtest/gtest.h>
 

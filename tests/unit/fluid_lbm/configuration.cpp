@@ -4,10 +4,10 @@
 #include <functional>
 #include <set>
 
+#include "base/isa/instruction_set.h"
 #include "fluid_lbm/lattice/equilibrium.h"
 #include "fluid_lbm/parallel/decomposition.h"
 #include "fluid_lbm/sampling/step_change.h"
-#include "isa/instruction_set.h"
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
 
 namespace magfsi::fluid {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <set>
-#include "adapters/fluids/fluid_probes.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
+#include "adapters/solvers/fluids/fluid_probes.h"
 #include "tests/unit/scene/scene_files.h"
 
 namespace magfsi::scene {
@@ -368,9 +368,8 @@ TEST(Defaults, forcing_is_without_slip_where_that_can_be) {
     EXPECT_EQ(forcing("immersed_boundary.forcing", "penalty"), penalty);
     EXPECT_EQ(minimal({"fluid.solver=openfoam"}).coupling->immersed_boundary.forcing,
               penalty);
-    for (const auto& [key, value] : {std::pair{"kernel", "4-point"},
-                                     {"strength", "0.5"},
-                                     {"strength", "2"}})
+    for (const auto& [key, value] :
+         {std::pair{"kernel", "4-point"}, {"strength", "0.5"}, {"strength", "2"}})
         EXPECT_EQ(forcing(std::string("immersed_boundary.") + key, value), penalty)
             << key;
 }

@@ -26,7 +26,7 @@ def measured(settings):
 
 def carried(kernel, magic):
     """The layer of fluid that one layer of markers is known to carry, in spacings: the theory at a
-    Stokes layer of 4 spacings, as in adapters/bodies/kernel_reach.cpp."""
+    Stokes layer of 4 spacings, as in adapters/solvers/bodies/kernel_reach.cpp."""
     tau = 0.8
     frequency = 2 * (tau - 0.5) / 3 / 16
     outside = 2 * cmath.sqrt((tau - 0.5) / 3 / (1j * frequency))

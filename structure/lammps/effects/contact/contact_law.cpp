@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fitted/constants.h"
+#include "base/fitted/constants.h"
 #include "structure/body.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"

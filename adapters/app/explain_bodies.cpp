@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Text on each body, from the mesh that the run would build. Estimates beyond a threshold
+// come with a warning and advice.
+#include "adapters/app/explain_bodies.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/app/participants.h"
+#include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
+#include "adapters/solvers/bodies/filled_cubes.h"
+#include "adapters/solvers/bodies/fluid_inside.h"
+#include "adapters/solvers/bodies/marker_placement.h"
+#include "adapters/solvers/bodies/mesh_estimate.h"
+#include "adapters/solvers/bodies/probe_row.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
+#include "adapters/solvers/bodies/surroundings.h"
+#include "adapters/solvers/lammps/substeps.h"
+#include "structure/equilibrium/static_problem.h"
+#include "structure/lammps/field_program.h"
+#include "structure/lammps/placement.h"
+#include "structure/lattice/element_advice.h"
+#include "structure/lattice/hexahedron.h"
+#include "structure/lattice/inertia.h"
+#include "structure/lattice/lattice.h"
+#include "structure/magnetics/source_field.h"
+
+namespace magfsi::launch {
+namespace {
+
+// Thresholds above which a mesh gets a warning: relative error of the displacements and
+// of the moments of inertia.
+
+constexpr double error_to_warn_of = 0.05;
+constexpr double inertia_to_warn_of = 0.1;
+
+std::string in_percent(double error) {
+    return fmt::format("{:+.2g} %", 100 * error);
+}
+
+// Estimated error of the displacements by discretisation: the linear response of this
+// mesh is compared with that of a reference (bodies::estimate_mesh_error).
+std::string explain_error(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const auto estimate = bodies::estimate_mesh_error(scene, body, solid);
+    if (!estimate.not_made.empty())
+        return fmt::format("    error of the displacements: not estimated, {}\n",
+                           estimate.not_made);
+    std::string text = fmt::format(
+        "    error of the displacements: about {} (linear response to {}, "
+        "against {})",
+        in_percent(estimate.largest), estimate.loads, estimate.against);
+    double worst = estimate.largest;
+    for (const auto& [point, error] : estimate.points) {
+        text += fmt::format(", of {} {}", point, in_percent(error));
+        if (std::abs(error) > std::abs(worst)) worst = error;
+    }
+    text += "\n";
+    if (std::abs(worst) <= error_to_warn_of) return text;
+    return text +
+           fmt::format(
+               "    warning: body '{}' moves about {:.0f} % too {} on this mesh of "
+               "{}: take finer elements{}\n",
+               body.name, 100 * std::abs(worst), worst < 0 ? "little" : "far",
+               scene::name_of(body.element),
+               body.element == structure::ElementVariant::assumed_strain
+                   ? ""
+                   : ", more layers or element assumed_strain");
+}
+
+// Advice on the shape of a block's bricks. The thickness is the body's shortest side.
+std::string explain_bricks(const structure::Body& solid, const structure::Box& box) {
+    structure::Vec3 edges{};
+    for (std::size_t d = 0; d < 3; ++d) edges[d] = box.size_m[d] / box.elements[d];
+    const auto axis = std::ranges::min_element(box.size_m) - box.size_m.begin();
+    const structure::ElementAdvice advice = structure::element_advice(
+        solid.element, edges, static_cast<int>(axis), box.elements[axis], solid.material);
+    return advice.text.empty()
+               ? ""
+               : fmt::format("    warning: body '{}': {}\n", solid.name, advice.text);
+}
+
+// Note on a thin sheet with a no-slip surface: a single layer of markers moves more or
+// less fluid along with it than the sheet's volume.
+std::string explain_layer(const scene::Scene& scene, std::size_t number) {
+    const auto layer = bodies::carried_layer(scene, number);
+    if (!layer) return "";
+    const double spacing_m = scene.fluid->finest_spacing_m();
+    std::string text = fmt::format(
+        "    one layer of markers carries {:.2f} spacings of fluid, the sheet is {:.2f} "
+        "thick: the inertia of the difference along the surface is taken away",
+        layer->carried_m / spacing_m, layer->thickness_m / spacing_m);
+    if (layer->carried_m > layer->thickness_m)
+        text += fmt::format(
+            "; large strokes have too little drag on such a grid: for a net motion "
+            "take a spacing of at most {:.3g} mm",
+            1e3 * spacing_m * layer->thickness_m / layer->carried_m);
+    return text + "\n";
+}
+
+// Error of the moments of inertia about the axes through the centre of mass, made by
+// masses that sit in the nodes. It matters only for bodies that can turn freely.
+std::string explain_moments(const scene::Scene& scene, const structure::Body& solid) {
+    const structure::Vec3 error = structure::inertia_error(solid);
+    std::string text =
+        fmt::format("    moments of inertia against the body's: x {}, y {}, z {}\n",
+                    in_percent(error[0]), in_percent(error[1]), in_percent(error[2]));
+    const bool turns = !scene.time.equilibrium && solid.clamps.empty();
+    if (!turns || std::ranges::max(error) <= inertia_to_warn_of) return text;
+    return text + fmt::format(
+                      "    warning: body '{}' turns as if its inertia were {:.0f} % "
+                      "larger: take {}finer elements\n",
+                      solid.name, 100 * std::ranges::max(error),
+                      solid.inertia == structure::Inertia::lumped
+                          ? "inertia: corrected, or "
+                          : "");
+}
+
+// Treatment of the inertia of the fluid that the grid has inside the body: subtracted
+// from the nodes' mass, by a force on the markers, or in part by each.
+std::string explain_inertia(const scene::Scene& scene, const structure::Body& solid) {
+    const double off = bodies::off_nodes_kg_m3(scene, solid);
+    const double fluid = scene.fluid->density_kg_m3;
+    if (off == fluid)
+        return "    inertia of the enclosed fluid: subtracted from the nodes' mass\n";
+    if (off == 0)
+        return fmt::format(
+            "    inertia of the enclosed fluid: a force on the markers{}\n",
+            bodies::has_drag(scene) ? ", as damping slows down nodes by their own mass"
+                                    : "");
+    return fmt::format(
+        "    inertia of the enclosed fluid: {:.3g} % subtracted from the nodes' mass, "
+        "the "
+        "rest a force on the markers\n",
+        100 * off / fluid);
+}
+
+// Error of the volume of a body of cubes, whose surface has steps, against the closed
+// surface of the STL file; also with cubes weighed by their share of the inside.
+std::string explain_voxels(const structure::Body& solid,
+                           const structure::VoxelMesh& voxels) {
+    const double volume_m3 = structure::volume_m3(solid.mesh);
+    const double surface_m3 = bodies::surface_volume_m3(voxels);
+    const double thin_m =
+        std::ranges::min(structure::bounds(solid.mesh.nodes).extent_m());
+    double weighed_m3 = solid.mesh.region.empty() ? volume_m3 : 0;
+    for (const int region : solid.mesh.region)
+        weighed_m3 +=
+            bodies::weight_of_region(solid.mesh, region) * std::pow(voxels.spacing_m, 3);
+    return fmt::format(
+        "    cubes of {:.4g} mm, {:.0f} across the thinnest side; their volume against "
+        "the surface's: {}, weighed by what they hold of it: {}\n",
+        1e3 * voxels.spacing_m, thin_m / voxels.spacing_m,
+        in_percent(volume_m3 / surface_m3 - 1), in_percent(weighed_m3 / surface_m3 - 1));
+}
+
+// Throws std::invalid_argument for a mesh that the run would refuse: contradicting
+// supports, inverted elements, an equilibrium of a body that is free to move. On a
+// platform even parts without support come to rest.
+void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
+    (void)structure::held_axes(solid);
+    (void)structure::build_lattice(solid);
+    if (scene.time.equilibrium && !scene.platform) structure::require_held(solid, {});
+}
+
+// Checks what depends on the mesh: number of elements and markers, places of probes.
+// Throws std::invalid_argument as the run would.
+void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
+                   const structure::Body& solid) {
+    const double elements = solid.mesh.elements.size();
+    scene::require(elements <= scene::max_elements, {fmt::format("body '{}'", body.name)},
+                   fmt::format("a mesh of {} elements", elements),
+                   fmt::format("at most {:.0f}", scene::max_elements));
+    const double markers =
+        scene::most_markers(scene, structure::bounds(solid.mesh.nodes).extent_m());
+    scene::require(markers <= scene::max_markers, {fmt::format("body '{}'", body.name)},
+                   fmt::format("up to {:.3g} markers", markers),
+                   fmt::format("at most {:.0f}", scene::max_markers),
+                   "take a larger fluid.spacing");
+    if (!scene.probes) return;
+    constexpr std::size_t points_of_a_shape = 4;
+    scene::require(std::ranges::find(scene.probes->bodies, scene::BodyQuantity::shape) ==
+                           scene.probes->bodies.end() ||
+                       solid.mesh.centre_line.size() >= points_of_a_shape,
+                   {"probes.bodies"},
+                   fmt::format("shape of body '{}', whose centre line has {} points",
+                               body.name, solid.mesh.centre_line.size()),
+                   fmt::format("it of blocks, arcs and helices of {} elements or more "
+                               "along their first axis, and of Gmsh meshes with a curve "
+                               "named centre_line",
+                               points_of_a_shape - 1),
+                   "leave shape out, and name places in probes.points");
+    for (const scene::PointProbe& point : scene.probes->points) {
+        if (point.body == body.name) (void)bodies::locate(body, solid.mesh, point.at_m);
+    }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        const auto* part = std::get_if<scene::BodyPart>(&integral.over);
+        if (part && part->body == body.name) (void)bodies::elements_of(*part, solid.mesh);
+    }
+}
+
+// Largest magnitude of the field [T] at the body. A uniform field is exact. Fields of
+// sources are sampled at up to about 50 elements and 101 instants, with the body at its
+// initial place and not bent (a body with initial.relaxed is taken as straight).
+double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
+                         const structure::Body& solid) {
+    const scene::MagneticField& field = *scene.magnetic_field;
+    if (field.sources.empty()) {
+        const structure::Vec3 b = bodies::strongest_field_t(scene);
+        return std::hypot(b[0], b[1], b[2]);
+    }
+    constexpr std::size_t most_places = 50;
+    constexpr int instants = 100;
+    structure::Placement placement = body.initial;
+    placement.relaxed.reset();
+    const auto nodes_m = structure::placed_nodes(solid, placement, {0, 2});
+    structure::SourceField sources(field.sources);
+    double strongest = 0;
+    for (int i = 0; i <= instants; ++i) {
+        const double t = scene.time.end_s * i / instants;
+        sources.set_time(t);
+        const structure::Vec3 even = structure::field_at(field, t);
+        const std::size_t elements = solid.mesh.elements.size();
+        for (std::size_t e = 0; e < elements; e += 1 + elements / most_places) {
+            const auto corners = structure::gather(nodes_m, solid.mesh.elements[e]);
+            const Eigen::Vector3d middle = corners.colwise().mean();
+            const auto there = sources.sample({middle[0], middle[1], middle[2]});
+            strongest = std::max(
+                strongest,
+                (there.field_t + Eigen::Vector3d(even[0], even[1], even[2])).norm());
+        }
+    }
+    return strongest;
+}
+
+// Size, mass, supports and loads of a body. M B / G estimates the strain caused by the
+// field.
+std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const structure::Vec3 size = structure::bounds(solid.mesh.nodes).extent_m();
+    double mass = 0;
+    for (const double m : structure::build_lattice(solid).node_mass_kg) mass += m;
+    std::string text =
+        fmt::format("    size {:.4g} x {:.4g} x {:.4g} mm, mass {:.4g} mg\n",
+                    1e3 * size[0], 1e3 * size[1], 1e3 * size[2], 1e6 * mass);
+    std::vector<std::string> held;
+    const auto with_nodes = [&](const std::string& face) {
+        return fmt::format("{} ({} nodes)", face,
+                           structure::face_nodes(solid, face, "held").size());
+    };
+    for (const std::string& face : body.clamps)
+        held.push_back(with_nodes(face) + " clamped");
+    for (const structure::Roller& roller : body.rollers) {
+        for (const std::string& face : roller.faces)
+            held.push_back(fmt::format("{} along {}", with_nodes(face),
+                                       scene::axis_names[roller.axis]));
+    }
+    for (const structure::PrescribedMotion& motion : body.prescribed_motion) {
+        for (const std::string& face : motion.faces)
+            held.push_back(with_nodes(face) + " moved");
+    }
+    text +=
+        fmt::format("    held: {}\n",
+                    held.empty() ? "nowhere" : fmt::format("{}", fmt::join(held, "; ")));
+    if (scene.gravity)
+        text += fmt::format("    weight {:.4g} uN{}\n",
+                            1e6 * mass * scene.gravity->acceleration_m_s2,
+                            scene.fluid ? ", buoyancy apart" : "");
+    if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
+    double largest = 0;
+    for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
+        const structure::Vec3& m = solid.magnetization_a_m[e];
+        largest =
+            std::max(largest, std::hypot(m[0], m[1], m[2]) /
+                                  structure::material_of(solid, e).shear_modulus_pa);
+    }
+    const double field_t = strongest_field_t(scene, body, solid);
+    return text +
+           fmt::format("    field up to {:.4g} mT{}: largest M B / G {:.3g}\n",
+                       1e3 * field_t,
+                       scene.magnetic_field->sources.empty() ? "" : " where it starts",
+                       largest * field_t);
+}
+
+// All lines on one body. Faults of its mesh are thrown before anything is computed on it.
+std::string explain_body(const scene::Scene& scene, std::size_t number,
+                         const structure::Body& solid) {
+    const scene::Body& body = scene.bodies[number];
+    check_on_mesh(scene, body, solid);
+    refuse_what_cannot_run(scene, solid);
+    std::string text = fmt::format("  body '{}': ", body.name);
+    const auto* box = std::get_if<structure::Box>(&body.mesh);
+    if (box) {
+        const auto& n = box->elements;
+        text += fmt::format("{} x {} x {} = ", n[0], n[1], n[2]);
+    }
+    text += fmt::format("{} elements {}, {} nodes\n", solid.mesh.elements.size(),
+                        scene::name_of(body.element), solid.mesh.nodes.size());
+    const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh);
+    if (!voxels && !solid.mesh.region_names.empty()) {
+        text +=
+            fmt::format("    regions: {}\n", fmt::join(solid.mesh.region_names, ", "));
+    }
+    for (const auto& entry : body.material_regions) {
+        text +=
+            fmt::format("    {}: G {:.4g} Pa, lambda {:.4g} Pa, density {:.4g} kg/m3\n",
+                        fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
+                        entry.material.lame_lambda_pa, entry.material.density_kg_m3);
+    }
+    text += explain_loads(scene, body, solid);
+    text += explain_error(scene, body, solid);
+    if (box) text += explain_bricks(solid, *box);
+    if (voxels) text += explain_voxels(solid, *voxels);
+    if (!scene.time.equilibrium) text += explain_moments(scene, solid);
+    if (scene.coupling) {
+        text += explain_inertia(scene, solid);
+        text += fmt::format("    {} markers, forcing {}\n",
+                            bodies::place_markers(scene, number).size(),
+                            name_of(*scene.coupling->immersed_boundary.forcing));
+        text += explain_layer(scene, number);
+    }
+    return text;
+}
+
+// Coupled step, substeps, and the two limits of the substep: elastic waves and the
+// explicit drag.
+std::string explain_steps(const scene::Scene& scene) {
+    const lammps::Substeps s = lammps::choose_substeps(scene);
+    std::string text =
+        fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
+                    s.coupled_step_s * 1e6, s.count, s.lammps_step_s * 1e6);
+    if (std::isinf(s.elastic_limit_s))
+        return text + "    every node is clamped: one step is enough\n";
+    text += fmt::format("    stable step of the lattice        {:.4g} us\n",
+                        s.elastic_limit_s * 1e6);
+    if (s.drag_limit_s > 0 && std::isfinite(s.drag_limit_s)) {
+        text += fmt::format("    stable step of the fluid's force  {:.4g} us\n",
+                            s.drag_limit_s * 1e6);
+    }
+    return text;
+}
+
+}  // namespace
+
+// The field sources and, for Newton's method, the surroundings are built only for the
+// faults that show then.
+std::string explain_structure(const scene::Scene& scene) {
+    const bool newton = by_newton(scene);
+    std::string text = newton ? "\nstructure (Newton's method)\n"
+                              : "\nstructure (LAMMPS, fix magttice)\n";
+    std::vector<structure::Body> solids;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        text +=
+            explain_body(scene, b, solids.emplace_back(bodies::to_body(scene.bodies[b])));
+    if (scene.magnetic_field)  // reads and refuses as the run would
+        (void)structure::SourceField(scene.magnetic_field->sources);
+    if (newton) (void)bodies::to_surroundings(scene, solids);  // refuses as the run would
+    if (!scene.time.equilibrium) return text + explain_steps(scene);
+    const double points = scene.time.end_s / scene::path_step_s(scene);
+    text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);
+    if (!newton) {
+        text += fmt::format("  LAMMPS steps of {:.4g} us until at rest\n",
+                            lammps::choose_substeps(scene).lammps_step_s * 1e6);
+    }
+    return text;
+}
+
+}  // namespace magfsi::launch

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "adapters/solvers/bodies/filled_cubes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "fluid_lbm/obstacle/solid.h"
+#include "structure/mesh/voxel_mesh.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+// Largest number of cubes of the grid, filled or not. They take 0.1 GB of memory while
+// the mesh is made.
+constexpr double most_cubes = 2e6;
+
+// Number of cubes along each axis of the grid around a surface: the extent of the surface
+// rounded up to whole cubes. Throws std::invalid_argument on more than most_cubes.
+std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
+                                const structure::VoxelMesh& voxels) {
+    constexpr double rounding = 1e-5;  // a file has its lengths to seven digits
+    std::array<int, 3> cubes{};
+    double all = 1;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double extent =
+            (bounds_m.high[d] - bounds_m.low[d]) / voxels.spacing_m - rounding;
+        const double whole = std::max(1.0, std::ceil(extent));
+        all *= whole;
+        if (!(all <= most_cubes))
+            throw std::invalid_argument(fmt::format(
+                "{}, {:.4g} x {:.4g} x {:.4g} m large, lies in more than {:g} cubes of "
+                "{:g} m; take a larger spacing, or see that the unit is the file's",
+                voxels.file, bounds_m.high[0] - bounds_m.low[0],
+                bounds_m.high[1] - bounds_m.low[1], bounds_m.high[2] - bounds_m.low[2],
+                most_cubes, voxels.spacing_m));
+        cubes[d] = whole;
+    }
+    return cubes;
+}
+
+using Place = std::array<int, 3>;
+
+// The grid of cubes, x fastest. filled: 1 if the centre of the cube lies inside the
+// surface; held: fraction of the cube's volume inside.
+struct Cubes {
+    Place count{};
+    std::vector<char> filled{};
+    std::vector<double> held{};
+
+    std::size_t number(const Place& p) const {
+        return p[0] + count[0] * (p[1] + count[1] * p[2]);
+    }
+    // Calls act(number) for each of the up to 26 neighbours of a cube; with `faces` only
+    // for the up to 6 that share a face with it.
+    template <class Do>
+    void around(const Place& p, bool faces, const Do& act) const {
+        for (int n = 0; n < 27; ++n) {
+            const Place way{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+            const int steps = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
+            Place q = p;
+            bool inside = steps > 0 && (!faces || steps == 1);
+            for (std::size_t d = 0; d < 3; ++d) {
+                q[d] += way[d];
+                inside = inside && q[d] >= 0 && q[d] < count[d];
+            }
+            if (inside) act(number(q));
+        }
+    }
+    template <class Do>
+    void each(const Do& act) const {
+        for (int k = 0; k < count[2]; ++k)
+            for (int j = 0; j < count[1]; ++j)
+                for (int i = 0; i < count[0]; ++i) act(Place{i, j, k});
+    }
+};
+
+// Fills the cubes whose centres lie inside the surface.
+void mark(const fluid::Solid& solid, Cubes& cubes) {
+    const auto [width, depth, height] = cubes.count;
+    const std::size_t row = width;
+    cubes.filled.resize(row * static_cast<std::size_t>(depth) *
+                        static_cast<std::size_t>(height));
+    for (int k = 0; k < height; ++k) {
+        for (int j = 0; j < depth; ++j)
+            solid.mark_row(j + 0.5, k + 0.5, 0,
+                           std::span(cubes.filled).subspan(cubes.number({0, j, k}), row));
+    }
+}
+
+// Sample points along each edge of a cube for the fraction that lies inside.
+constexpr int points_of_edge = 4;
+
+// Determines `held` of each cube. Only cubes that the surface may cut are sampled: those
+// with a neighbour of the other kind, and filled ones at the edge of the grid.
+void measure(const fluid::Solid& solid, Cubes& cubes) {
+    cubes.held.assign(cubes.filled.begin(), cubes.filled.end());
+    cubes.each([&](const Place& p) {
+        const char mine = cubes.filled[cubes.number(p)];
+        bool cut = std::ranges::any_of(std::array{0, 1, 2}, [&](int d) {
+            return mine != 0 && (p[d] == 0 || p[d] + 1 == cubes.count[d]);
+        });
+        cubes.around(p, false,
+                     [&](std::size_t q) { cut = cut || cubes.filled[q] != mine; });
+        if (!cut) return;
+        int inside = 0;
+        for (int n = 0; n < points_of_edge * points_of_edge * points_of_edge; ++n) {
+            const auto at = [](int i, int low) {
+                return low + (i + 0.5) / points_of_edge;
+            };
+            inside += solid.holds({at(n % points_of_edge, p[0]),
+                                   at(n / points_of_edge % points_of_edge, p[1]),
+                                   at(n / points_of_edge / points_of_edge, p[2])});
+        }
+        cubes.held[cubes.number(p)] = inside / std::pow(points_of_edge, 3);
+    });
+}
+
+// Weight of each cube: its own fraction inside plus equal shares of the fractions of
+// omitted neighbours. An omitted cube gives its fraction to the filled cubes at its
+// faces, or without any to all filled cubes around it. volume: that inside the surface,
+// in volumes of a cube. The weights of cut cubes are scaled so that the sum is this
+// volume, for the few sample points are inexact where the surface runs along the grid.
+std::vector<double> weights(const Cubes& cubes, double volume) {
+    // Limit of the scale: a larger one means that a part of the body has no cube at all.
+    constexpr double most = 1.25;
+    std::vector<double> out = cubes.held;
+    cubes.each([&](const Place& p) {
+        const std::size_t mine = cubes.number(p);
+        if (cubes.filled[mine] || cubes.held[mine] == 0) return;
+        out[mine] = 0;
+        for (const bool faces : {true, false}) {
+            int takers = 0;
+            cubes.around(p, faces, [&](std::size_t q) { takers += cubes.filled[q]; });
+            if (takers == 0) continue;
+            cubes.around(p, faces, [&](std::size_t q) {
+                if (cubes.filled[q]) out[q] += cubes.held[mine] / takers;
+            });
+            return;
+        }
+    });
+    double whole = 0, cut = 0;
+    for (std::size_t i = 0; i < out.size(); ++i) (out[i] == 1 ? whole : cut) += out[i];
+    const double scale = cut > 0 ? std::clamp((volume - whole) / cut, 1 / most, most) : 1;
+    for (double& weight : out)
+        if (weight != 1) weight *= scale;
+    return out;
+}
+
+// Weights are rounded to multiples of 1/16 of a cube, so that there are few materials:
+// the elements of one material are computed together.
+constexpr int parts_of_cube = 16;
+
+// Makes a region of the mesh for each weight, named after it; none if all cubes are
+// whole. The rounding error of a cut cube is carried over to the next one, so that the
+// sum of the weights is kept.
+void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
+                  const Cubes& cubes, double spacing_m) {
+    double left = 0;
+    std::vector<int> part;
+    for (const structure::Hexahedron& element : mesh.elements) {
+        const structure::Vec3& corner = mesh.nodes[element[0]];
+        Place p{};
+        for (std::size_t d = 0; d < 3; ++d) p[d] = std::lround(corner[d] / spacing_m);
+        const double exact = parts_of_cube * weight[cubes.number(p)];
+        const double wanted = exact == parts_of_cube ? exact : exact + left;
+        part.push_back(std::max<int>(1, std::lround(wanted)));
+        left = exact == parts_of_cube ? left : wanted - part.back();
+    }
+    std::vector<int> kinds = part;
+    std::ranges::sort(kinds);
+    const auto twice = std::ranges::unique(kinds);
+    kinds.erase(twice.begin(), twice.end());
+    if (kinds == std::vector{parts_of_cube}) return;
+    for (const int kind : kinds)
+        mesh.region_names.push_back(fmt::format("{}/{}", kind, parts_of_cube));
+    for (const int p : part)
+        mesh.region.push_back(std::ranges::lower_bound(kinds, p) - kinds.begin());
+}
+
+}  // namespace
+
+structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
+    fluid::StlSurface surface{voxels.file, voxels.unit_m, {}};
+    const fluid::StlExtent extent = fluid::stl_extent(surface);
+    const fluid::Bounds& bounds = extent.bounds_m;
+    Cubes cubes{cubes_around(bounds, voxels)};
+    for (std::size_t d = 0; d < 3; ++d)
+        surface.shift_m[d] =
+            0.5 * (cubes.count[d] * voxels.spacing_m - bounds.low[d] - bounds.high[d]);
+    const auto solid = fluid::make_stl_solid(
+        surface, voxels.spacing_m,
+        {{}, {1.0 * cubes.count[0], 1.0 * cubes.count[1], 1.0 * cubes.count[2]}});
+    mark(*solid, cubes);
+    structure::Mesh mesh =
+        structure::voxel_mesh(cubes.count, voxels.spacing_m, cubes.filled);
+    measure(*solid, cubes);
+    name_regions(mesh, weights(cubes, extent.volume_m3 / std::pow(voxels.spacing_m, 3)),
+                 cubes, voxels.spacing_m);
+    for (structure::Vec3& x : mesh.nodes)
+        for (std::size_t d = 0; d < 3; ++d) x[d] -= surface.shift_m[d];
+    return mesh;
+}
+
+double weight_of_region(const structure::Mesh& mesh, int region) {
+    return std::stod(mesh.region_names[region]) / parts_of_cube;
+}
+
+void weigh(structure::Body& body) {
+    if (body.mesh.region.empty()) return;
+    const int regions = body.mesh.region_names.size();
+    std::vector<int> number;
+    for (int region = 0; region < regions; ++region) {
+        const double weight = weight_of_region(body.mesh, region);
+        number.push_back(weight == 1 ? 0
+                                     : static_cast<int>(body.other_materials.size()) + 1);
+        if (weight == 1) continue;
+        structure::Material& material = body.other_materials.emplace_back(body.material);
+        material.shear_modulus_pa *= weight;
+        material.lame_lambda_pa *= weight;
+        material.density_kg_m3 *= weight;
+        material.viscosity_pa_s *= weight;
+    }
+    for (std::size_t e = 0; e < body.mesh.region.size(); ++e) {
+        const int region = body.mesh.region[e];
+        body.element_material.push_back(number[region]);
+        if (body.magnetization_a_m.empty()) continue;
+        for (double& component : body.magnetization_a_m[e])
+            component *= weight_of_region(body.mesh, region);
+    }
+}
+
+double surface_volume_m3(const structure::VoxelMesh& voxels) {
+    return fluid::stl_extent({voxels.file, voxels.unit_m, {}}).volume_m3;
+}
+
+}  // namespace magfsi::bodies

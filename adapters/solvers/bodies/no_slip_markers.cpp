@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Markers of forcing no_slip: even rows about a grid spacing apart, in as many layers as
+// have the effective thickness of the body (wall_of_planes.h).
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "adapters/scene/effective.h"
+#include "adapters/solvers/bodies/marker_surface.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
+#include "base/fitted/constants.h"
+#include "structure/mesh/block_mesh.h"
+#include "structure/mesh/body_points.h"
+#include "structure/mesh/locate.h"
+#include "structure/mesh/swept_mesh.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+using structure::Vec3;
+
+// Depth below the rim at which the area of a single layer's markers ends [m]; negative,
+// outside of the rim, for thick sheets.
+double rim_depth_m(const KernelReach& reach, double thickness_m) {
+    return reach.edge_m - fitted::square_edge * thickness_m;
+}
+
+// Even rows along one axis of a box: their coordinates and their distance.
+struct Rows {
+    std::vector<double> at_m;
+    double apart_m = 0;
+};
+
+// The fewest rows between two ends that are at most widest_m apart; the outer ones lie
+// half a distance from the ends.
+Rows even_rows(double low_m, double high_m, double widest_m) {
+    const int n = std::max<int>(1, std::ceil((high_m - low_m) / widest_m - 1e-9));
+    Rows rows{{}, (high_m - low_m) / n};
+    for (int i = 0; i < n; ++i) rows.at_m.push_back(low_m + (i + 0.5) * rows.apart_m);
+    return rows;
+}
+
+Rows layers(double low_m, double high_m, const KernelReach& reach) {
+    const EvenPlanes planes = reach.layers(high_m - low_m);
+    const double middle_m = 0.5 * (low_m + high_m);
+    Rows rows{{}, planes.apart * reach.grid_m};
+    for (int i = 0; i < planes.count; ++i)
+        rows.at_m.push_back(middle_m + (i - 0.5 * (planes.count - 1)) * rows.apart_m);
+    return rows;
+}
+
+// Extent of a sheet along one of its axes; an end is wet where fluid touches it.
+struct Length {
+    double low_m, high_m;
+    bool low_wet, high_wet;
+
+    // Rows that keep this distance from wet ends, but at most a quarter of the length.
+    Rows drawn_back(double depth_m, double widest_m) const {
+        const double drawn_m = std::min(depth_m, 0.25 * (high_m - low_m));
+        return even_rows(low_m + (low_wet ? drawn_m : 0),
+                         high_m - (high_wet ? drawn_m : 0), widest_m);
+    }
+};
+
+Rows rows_along(const Length& length, const KernelReach& reach, double thickness_m) {
+    const double widest_m = fitted::widest_apart * reach.grid_m;
+    const int layers = reach.layers(thickness_m).count;
+    if (layers == 1)
+        return length.drawn_back(std::max(0.0, rim_depth_m(reach, thickness_m)),
+                                 widest_m);
+    const double beyond_m = layers == 2 ? reach.rim_of_two_m : reach.rim_of_more_m;
+    // The depth depends a little on the distance that follows from it.
+    Rows rows{{}, widest_m};
+    for (int turn = 0; turn < 3; ++turn)
+        rows = length.drawn_back(
+            beyond_m + reach.depth_m(rows.apart_m) - 0.5 * rows.apart_m, widest_m);
+    return rows;
+}
+
+// True if fluid touches the end of a box at this coordinate.
+bool wet(std::span<const structure::SurfaceQuad> surface, const structure::Mesh& mesh,
+         std::size_t axis, double end_m, double slack_m) {
+    return std::ranges::any_of(surface, [&](const structure::SurfaceQuad& quad) {
+        return std::ranges::all_of(quad.node, [&](int node) {
+            return std::abs(mesh.nodes[node][axis] - end_m) < slack_m;
+        });
+    });
+}
+
+double area_m2(const structure::Mesh& mesh, const structure::Sheet& sheet) {
+    double sum_m2 = 0;
+    for (const auto& column : sheet.columns)
+        sum_m2 += structure::quad_area(structure::corners(mesh.nodes, column.top.node));
+    return sum_m2;
+}
+
+// A single layer stands for both faces: twice the top, for the vector areas of top and
+// bottom would cancel.
+constexpr int both = 2;
+std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
+    std::vector<structure::SurfaceQuad> top;
+    for (const auto& column : sheet.columns) top.push_back(column.top);
+    return top;
+}
+
+// Markers of a block: rows along its two longer axes, layers across the thinnest. Their
+// surfaces are not set here.
+std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFaces& dry,
+                                        const KernelReach& reach,
+                                        const structure::Continues& continues) {
+    const structure::Bounds block = structure::bounds(mesh.nodes);
+    const Vec3 size = block.extent_m();
+    std::size_t thin = 0;  // never along an axis on which the body goes on
+    for (std::size_t d = 1; d < 3; ++d)
+        if (continues[thin] || (!continues[d] && size[d] < size[thin])) thin = d;
+    const auto surface = dry.without(structure::boundary_quads(mesh));
+    std::array<Rows, 3> rows;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double slack_m = 1e-6 * size[d];
+        const double low_m = block.low_m[d], high_m = block.high_m[d];
+        rows[d] = d == thin
+                      ? layers(low_m, high_m, reach)
+                      : rows_along({low_m, high_m, wet(surface, mesh, d, low_m, slack_m),
+                                    wet(surface, mesh, d, high_m, slack_m)},
+                                   reach, size[thin]);
+    }
+    const structure::PointLocator locator(mesh);
+    const double volume_m3 = rows[0].apart_m * rows[1].apart_m * rows[2].apart_m;
+    std::vector<PlacedMarker> markers;
+    for (const double z : rows[2].at_m)
+        for (const double y : rows[1].at_m)
+            for (const double x : rows[0].at_m)
+                markers.push_back({locator.nearest({x, y, z}), volume_m3});
+    return markers;
+}
+
+// Shares the wet surface among the markers; a single layer stands for both faces.
+void share_faces(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
+                 const std::optional<structure::Sheet>& sheet, bool one_layer,
+                 const DryFaces& dry, const KernelReach& reach) {
+    if (sheet && one_layer)
+        share_surface(markers, mesh, top_of(*sheet), reach.grid_m, both);
+    else
+        share_surface(markers, mesh, dry.without(structure::boundary_quads(mesh)),
+                      reach.grid_m);
+}
+
+// Markers of an arc or a helix: those of the straight block, carried by the elements. The
+// block of a closed ring continues along x.
+std::vector<PlacedMarker> in_bent_block(const scene::Body& body,
+                                        const structure::Box& block,
+                                        const structure::Mesh& mesh,
+                                        const KernelReach& reach) {
+    const structure::Mesh straight = structure::box_mesh(block);
+    const bool ring = mesh.nodes.size() < straight.nodes.size();
+    const structure::Continues continues{ring, false, false};
+    auto markers =
+        rows_in_block(straight, DryFaces(body, straight, continues), reach, continues);
+    for (PlacedMarker& marker : markers)
+        marker.point.node = mesh.elements[marker.point.element];
+    return markers;
+}
+
+// Sets the volume of each marker to that of the points that are nearest to it.
+void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
+                  std::span<const PlacedMarker> points, double apart_m) {
+    std::vector<Vec3> at;
+    for (const PlacedMarker& p : points) at.push_back(structure::position(mesh, p.point));
+    const auto nearest = nearest_markers(markers, mesh, at, apart_m);
+    for (PlacedMarker& marker : markers) marker.volume_m3 = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (const std::size_t marker : nearest[i])
+            markers[marker].volume_m3 += points[i].volume_m3 / nearest[i].size();
+}
+
+// Picks in turn the points that are at least `apart_m` from all picked before; each gets
+// the volume of the points that are nearest to it.
+std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
+                                  const structure::Mesh& mesh, double apart_m) {
+    std::vector<PlacedMarker> kept;
+    std::map<std::array<long, 3>, std::vector<Vec3>> taken;
+    for (const PlacedMarker& p : points) {
+        const Vec3 x = structure::position(mesh, p.point);
+        std::array<long, 3> bin;
+        for (std::size_t d = 0; d < 3; ++d) bin[d] = std::lround(x[d] / apart_m);
+        bool free = true;
+        for (int n = 0; n < 27 && free; ++n) {
+            const auto found = taken.find(
+                {bin[0] + n % 3 - 1, bin[1] + n / 3 % 3 - 1, bin[2] + n / 9 - 1});
+            if (found == taken.end()) continue;
+            free = std::ranges::none_of(found->second, [&](const Vec3& other) {
+                return structure::distance_m(other, x) < apart_m;
+            });
+        }
+        if (!free) continue;
+        taken[bin].push_back(x);
+        kept.push_back(p);
+    }
+    share_volume(kept, mesh, points, apart_m);
+    return kept;
+}
+
+// Moves the points within depth_m of the surface to the front, each the nearest to the
+// one before, so that `thinned` makes an even row of them.
+void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
+                 std::span<const structure::SurfaceQuad> surface, double depth_m,
+                 double fine_m) {
+    std::vector<structure::MaterialPoint> at;
+    for (const PlacedMarker& p : points) at.push_back(p.point);
+    const auto depth = structure::depths(mesh, surface, at, 0.5 * fine_m, 2 * depth_m);
+    std::vector<PlacedMarker> row, inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        (depth[i] < depth_m ? row : inside).push_back(points[i]);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        const Vec3 last = structure::position(mesh, row[i - 1].point);
+        const auto from_last = [&](const PlacedMarker& p) {
+            return structure::distance_m(structure::position(mesh, p.point), last);
+        };
+        const auto next = row.begin() + static_cast<std::ptrdiff_t>(i);
+        std::iter_swap(next, std::ranges::min_element(next, row.end(), {}, from_last));
+    }
+    row.insert(row.end(), inside.begin(), inside.end());
+    points = std::move(row);
+}
+
+// Markers of a sheet of any shape: thinned-out layers across its thickness.
+std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
+                                    const structure::Sheet& sheet, double thickness_m,
+                                    const DryFaces& dry, const KernelReach& reach) {
+    const double apart_m = fitted::thinned_to * reach.grid_m,
+                 fine_m = 0.125 * reach.grid_m;
+    const auto rim = dry.without(structure::rim_of(mesh, sheet));
+    const EvenPlanes layers = reach.layers(thickness_m);
+    double depth_m = rim_depth_m(reach, thickness_m) + fitted::beyond_row * apart_m;
+    if (layers.count > 1)
+        depth_m = reach.depth_m(fitted::thinned_apart * reach.grid_m) +
+                  (layers.count == 2
+                       ? reach.rim_of_two_m - fitted::thinned_two * reach.grid_m
+                       : reach.rim_of_more_m - fitted::thinned_more * reach.grid_m);
+    std::vector<PlacedMarker> markers;
+    for (int i = 0; i < layers.count; ++i) {
+        const double above_m =
+            (i - 0.5 * (layers.count - 1)) * layers.apart * reach.grid_m;
+        const auto side =
+            above_m > 0 ? structure::SheetSide::top : structure::SheetSide::bottom;
+        std::vector<PlacedMarker> points;
+        for (const auto& p : structure::points_below_face(
+                 mesh, sheet, side, 0.5 * thickness_m - std::abs(above_m), fine_m))
+            points.push_back({p.point, p.area_m2 * layers.apart * reach.grid_m});
+        draw_back(points, mesh, rim, depth_m, fine_m);
+        begin_along(points, mesh, rim, depth_m + fine_m, fine_m);
+        for (const PlacedMarker& marker : thinned(points, mesh, apart_m))
+            markers.push_back(marker);
+    }
+    return markers;
+}
+
+// Markers of any other body: an even shell below its wet surface, then the volume inside.
+std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
+                                    std::span<const structure::SurfaceQuad> surface,
+                                    const KernelReach& reach) {
+    const double grid_m = reach.grid_m, fine_m = 0.125 * grid_m;
+    const double depth_m =
+        reach.depth_m(fitted::thinned_apart * grid_m) + fitted::beyond_shell * grid_m;
+    const structure::PointLocator locator(mesh);
+    std::vector<PlacedMarker> points;
+    for (const auto& p : structure::surface_points(mesh, surface, fine_m)) {
+        Vec3 x = structure::position(mesh, p.point);
+        for (std::size_t d = 0; d < 3; ++d) x[d] -= depth_m * p.normal[d];
+        points.push_back({locator.nearest(x), 0});
+    }
+    draw_back(points, mesh, surface, depth_m - fine_m, fine_m);
+    std::vector<PlacedMarker> volume;
+    for (const auto& p : structure::volume_points(mesh, 4 * fine_m))
+        volume.push_back({p.point, p.volume_m3});
+    std::vector<PlacedMarker> inside = volume;
+    draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
+    points.insert(points.end(), inside.begin(), inside.end());
+    auto markers = thinned(points, mesh, fitted::thinned_to * grid_m);
+    // The markers' volumes must add up to the body's: with more, balls diverge at
+    // relaxation times above 1.
+    share_volume(markers, mesh, volume, grid_m);
+    return markers;
+}
+
+// Markers of a mesh that is no block.
+std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
+                                  const std::optional<structure::Sheet>& sheet,
+                                  const DryFaces& dry, const KernelReach& reach) {
+    if (!sheet)
+        return in_volume(mesh, dry.without(structure::boundary_quads(mesh)), reach);
+    const double thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
+    return in_layers(mesh, *sheet, thickness_m, dry, reach);
+}
+
+// Marks the core of a sheet, the markers below two layers of others, seen from faces and
+// rims alike.
+void find_core(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
+               const DryFaces& dry, const KernelReach& reach) {
+    const double grid_m = reach.grid_m;
+    const double core_m = reach.depth_m(grid_m) + 1.5 * grid_m;
+    std::vector<structure::MaterialPoint> points;
+    for (const PlacedMarker& m : markers) points.push_back(m.point);
+    const auto depth =
+        structure::depths(mesh, dry.without(structure::boundary_quads(mesh)), points,
+                          0.5 * grid_m, core_m + grid_m);
+    for (std::size_t i = 0; i < markers.size(); ++i) markers[i].core = depth[i] > core_m;
+}
+
+std::optional<CarriedLayer> one_layer(const structure::Mesh& mesh,
+                                      const std::optional<structure::Sheet>& sheet,
+                                      const KernelReach& reach) {
+    if (!sheet) return std::nullopt;
+    const double thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
+    if (!reach.takes_one_layer(thickness_m)) return std::nullopt;
+    const double carried = reach.resolved_wall.thickness({1, 1});
+    return CarriedLayer{thickness_m, carried * reach.grid_m};
+}
+
+}  // namespace
+
+std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t number) {
+    if (scene.coupling->immersed_boundary.forcing != coupler::Forcing::no_slip)
+        return std::nullopt;
+    const scene::Body& body = scene.bodies[number];
+    const structure::Mesh mesh = to_mesh(body);
+    return one_layer(mesh,
+                     structure::find_sheet(mesh, spans_fluid(*scene.fluid, body, true)),
+                     reach_in(scene));
+}
+
+std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
+                                          const structure::Mesh& mesh,
+                                          const DryFaces& dry, const KernelReach& reach,
+                                          const structure::Continues& continues) {
+    const auto sheet = structure::find_sheet(mesh, continues);
+    const auto layer = one_layer(mesh, sheet, reach);
+    std::vector<PlacedMarker> markers;
+    if (std::holds_alternative<structure::Box>(body.mesh))
+        markers = rows_in_block(mesh, dry, reach, continues);
+    else if (const auto* arc = std::get_if<structure::Arc>(&body.mesh))
+        markers = in_bent_block(body, structure::straightened(*arc), mesh, reach);
+    else if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
+        markers = in_bent_block(body, structure::straightened(*helix), mesh, reach);
+    else
+        markers = in_mesh(mesh, sheet, dry, reach);
+    share_faces(markers, mesh, sheet, layer.has_value(), dry, reach);
+    share_among_elements(markers, mesh);
+    if (layer) {
+        for (PlacedMarker& marker : markers)
+            marker.beyond_m3 =
+                marker.volume_m3 * (layer->carried_m - layer->thickness_m) / reach.grid_m;
+    } else if (sheet) {
+        find_core(markers, mesh, dry, reach);
+    }
+    return markers;
+}
+
+}  // namespace magfsi::bodies

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// pimpleFoam on a fixed mesh. The momentum and pressure equations are the solver's own
+// files, included unchanged; the code here replaces its loop over time by one call per
+// step.
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <stdexcept>
+
+#include "adapters/solvers/openfoam/engine/box_mesh.h"
+#include "adapters/solvers/openfoam/engine/engine.h"
+#include "foamVersion.H"
+#include "fvCFD.H"
+#include "fvMatrices.H"
+#include "fvOption.H"
+#include "fvOptions.H"
+#include "fvcFlux.H"
+#include "fvcReconstruct.H"
+#include "pimpleControl.H"
+#include "singlePhaseTransportModel.H"
+#include "turbulentTransportModel.H"
+
+namespace magfsi::openfoam {
+
+namespace {
+
+// The coupling force on the fluid as an OpenFOAM momentum source (fvOption), set from
+// outside before every step and balanced with the pressure.
+//
+// pimpleFoam stores velocities in cells and fluxes on faces. An acceleration a that
+// varies from cell to cell drives the flux through a face by the mean of its two cells,
+// and the pressure balances that; in a cell, the pressure's gradient is the mean over its
+// two faces. For a layer of force along its normal, which the pressure should balance in
+// full, the residual a - mean(mean(a)) = -h^2 a''/4 accelerates the cells, though nothing
+// flows through their faces. For the force of a sheet, three cells thick, that is a
+// quarter of it: markers see the fluid follow a sheet that it leaks through. Here cells
+// get the mean of what their faces get, so that a force balanced on faces is balanced in
+// cells: Francois et al., J. Comput. Phys. 213 (2006) 141, for the same problem with
+// surface tension.
+class CoupledForce : public Foam::fv::option {
+  public:
+    explicit CoupledForce(const Foam::fvMesh& mesh);
+
+    // Adds the acceleration to the momentum equation.
+    void addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label field) override;
+
+    // Stores the response of the velocity, 1 / A, of the assembled momentum equation
+    // before it is solved.
+    void constrain(Foam::fvMatrix<Foam::vector>& equation,
+                   const Foam::label field) override;
+
+    // Replaces the cell value of the force's effect by the mean of its faces, after each
+    // pressure correction of the velocity.
+    void correct(Foam::volVectorField& velocity) override;
+
+    Foam::vectorField& acceleration() { return acceleration_.primitiveFieldRef(); }
+
+  private:
+    Foam::volVectorField acceleration_;
+    Foam::tmp<Foam::volScalarField> response_;  // velocity over acceleration [s]
+};
+
+CoupledForce::CoupledForce(const Foam::fvMesh& mesh)
+    : Foam::fv::option("coupledForce", "coupledForce", Foam::dictionary(), mesh),
+      acceleration_(Foam::IOobject("coupledForce", mesh.time().timeName(), mesh), mesh,
+                    Foam::dimensionedVector(Foam::dimAcceleration, Foam::Zero)) {
+    fieldNames_.setSize(1, "U");
+    applied_.setSize(1, false);
+}
+
+void CoupledForce::addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
+    equation += acceleration_();
+}
+
+void CoupledForce::constrain(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
+    response_ = 1 / equation.A();
+}
+
+void CoupledForce::correct(Foam::volVectorField& velocity) {
+    Foam::volVectorField push(response_() * acceleration_);
+    push.correctBoundaryConditions();  // values of neighbours on other ranks
+    velocity += Foam::fvc::reconstruct(Foam::fvc::flux(push)) - push;
+    velocity.correctBoundaryConditions();
+}
+
+static_assert(sizeof(Foam::vector) == 3 * sizeof(double), "vectors are three doubles");
+
+// The field's memory as plain doubles, three a cell.
+double* numbers(Foam::vectorField& field) {
+    return reinterpret_cast<double*>(field.data());
+}
+
+std::vector<double> copy_of(const Foam::vectorField& field) {
+    const auto* first = reinterpret_cast<const double*>(field.cdata());
+    return {first, first + 3 * field.size()};
+}
+
+// Description of an initial field in the case's folder 0/, which must exist.
+Foam::IOobject field_file(const char* name, const Foam::fvMesh& mesh) {
+    return {name, mesh.time().timeName(), mesh, Foam::IOobject::MUST_READ,
+            Foam::IOobject::NO_WRITE};
+}
+
+// OpenFOAM's messages have several lines; ours have one.
+std::string one_line(std::string text) {
+    while (!text.empty() && std::isspace(text.back()) != 0) text.pop_back();
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return text;
+}
+
+// Runs `work` and turns Foam's FatalError and FatalIOError into std::runtime_error.
+template <class Work>
+auto guarded(Work&& work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const Foam::IOerror& e) {
+        throw std::runtime_error("OpenFOAM: " + one_line(e.message()) + " (" +
+                                 e.ioFileName() + ")");
+    } catch (const Foam::error& e) {
+        throw std::runtime_error("OpenFOAM: " + one_line(e.message()));
+    }
+}
+
+// The engine on one rank. Members are initialised in the order that OpenFOAM requires:
+// time, mesh, fields, models.
+class PimpleEngine final : public Engine {
+  public:
+    explicit PimpleEngine(const EngineSetup& setup)
+        : time_(Foam::Time::controlDictName, Foam::fileName(setup.case_folder).path(),
+                Foam::fileName(setup.case_folder).name(), "system", "constant", false,
+                false),
+          mesh_(make_mesh(time_, setup.mesh)),
+          places_(face_places(setup.mesh)),
+          pimple_(mesh_()),
+          p_(field_file("p", mesh_()), mesh_()),
+          u_(field_file("U", mesh_()), mesh_()),
+          phi_(Foam::IOobject("phi", time_.timeName(), mesh_()), Foam::fvc::flux(u_)),
+          transport_(u_, phi_),
+          turbulence_(Foam::incompressible::turbulenceModel::New(u_, phi_, transport_)),
+          zones_(mesh_()),
+          sources_(Foam::fv::options::New(mesh_())) {
+        Foam::setRefCell(p_, pimple_.dict(), reference_cell_, reference_pressure_);
+        mesh_->setFluxRequired(p_.name());
+        turbulence_->validate();
+    }
+
+    // The internal field holds three doubles a cell (static_assert above).
+    const double* velocity() const override {
+        return reinterpret_cast<const double*>(u_.primitiveField().cdata());
+    }
+    // OpenFOAM's list of sources takes ownership of the force.
+    double* acceleration() override {
+        if (force_ == nullptr) {
+            force_ = new CoupledForce(mesh_());
+            static_cast<Foam::fv::optionList&>(sources_).append(force_);
+        }
+        return numbers(force_->acceleration());
+    }
+
+    double* side_velocity(int side) override {
+        const auto name = side_names[side];
+        const Foam::label patch = mesh_->boundaryMesh().findPatchID(name);
+        auto& values = u_.boundaryFieldRef()[patch];
+        return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
+    }
+
+    // Fluxes are interpolated from the cells; the next pressure correction makes them
+    // free of divergence.
+    void set_velocity(const double* velocity) override {
+        guarded([&] {
+            auto& values = u_.primitiveFieldRef();
+            std::copy_n(velocity, 3 * values.size(), numbers(values));
+            u_.correctBoundaryConditions();
+            phi_ = Foam::fvc::flux(u_);
+        });
+    }
+
+    void advance() override {
+        guarded([&] { step(); });
+    }
+
+    // oldTime() is the velocity one step ago, which the backward scheme needs.
+    void keep(FlowState& state) const override {
+        guarded([&] {
+            state.velocity = copy_of(u_.primitiveField());
+            state.old_velocity = copy_of(u_.oldTime().primitiveField());
+            const Foam::scalarField& p = p_.primitiveField();
+            state.pressure.assign(p.cdata(), p.cdata() + p.size());
+            take_flux(phi_, places_, state);
+        });
+    }
+
+    // Fluxes are restored first, since the velocity at outlets depends on them. The
+    // velocity of two steps ago is discarded when the step begins, and the old fluxes
+    // have the coefficient 0 in the scheme; calls of oldTime() only make sure that these
+    // fields exist.
+    void go_back(const FlowState& state, long step) override {
+        guarded([&] {
+            const auto index = static_cast<Foam::label>(step);
+            time_.setTime(1.0 * step * time_.deltaTValue(), index);
+            phi_.timeIndex() = u_.timeIndex() = index;
+            put_flux(state, places_, phi_);
+            Foam::vectorField& u = u_.primitiveFieldRef();
+            std::copy(state.velocity.begin(), state.velocity.end(), numbers(u));
+            u_.correctBoundaryConditions();
+            Foam::vectorField& before = u_.oldTime().primitiveFieldRef();
+            std::copy(state.old_velocity.begin(), state.old_velocity.end(),
+                      numbers(before));
+            u_.oldTime().oldTime();
+            phi_.oldTime().oldTime();
+            Foam::scalarField& p = p_.primitiveFieldRef();
+            std::copy(state.pressure.begin(), state.pressure.end(), p.begin());
+            p_.correctBoundaryConditions();
+        });
+    }
+
+    // The curl comes from gradients of OpenFOAM's scheme gradSchemes (Gauss linear).
+    void vorticity(double* out) override {
+        guarded([&] {
+            const Foam::tmp<Foam::volVectorField> curl = Foam::fvc::curl(u_);
+            const Foam::vectorField& values = curl().primitiveField();
+            std::copy_n(reinterpret_cast<const double*>(values.cdata()),
+                        3 * values.size(), out);
+        });
+    }
+
+    std::string version() const override {
+        return std::to_string(Foam::foamVersion::api);
+    }
+
+  private:
+    void step();
+
+    Foam::Time time_;
+    Foam::autoPtr<Foam::fvMesh> mesh_;
+    std::vector<FacePlace> places_;
+    Foam::pimpleControl pimple_;
+    Foam::volScalarField p_;
+    Foam::volVectorField u_;
+    Foam::surfaceScalarField phi_;
+    Foam::singlePhaseTransportModel transport_;
+    Foam::autoPtr<Foam::incompressible::turbulenceModel> turbulence_;
+    Foam::IOMRFZoneList zones_;
+    Foam::fv::options& sources_;
+    // The coupling force, owned by sources_; null until the first force.
+    CoupledForce* force_ = nullptr;
+    Foam::label reference_cell_ = 0;
+    Foam::scalar reference_pressure_ = 0;
+    Foam::scalar continuity_error_ = 0;
+};
+
+// One step of pimpleFoam. The local names are those that the included solver files use.
+void PimpleEngine::step() {
+    using namespace Foam;
+    fvMesh& mesh = mesh_();
+    Time& runTime = time_;
+    pimpleControl& pimple = pimple_;
+    volScalarField& p = p_;
+    volVectorField& U = u_;
+    surfaceScalarField& phi = phi_;
+    singlePhaseTransportModel& laminarTransport = transport_;
+    auto& turbulence = turbulence_;
+    IOMRFZoneList& MRF = zones_;
+    fv::options& fvOptions = sources_;
+    const label pRefCell = reference_cell_;
+    const scalar pRefValue = reference_pressure_;
+    scalar& cumulativeContErr = continuity_error_;
+    autoPtr<surfaceVectorField> Uf;  // used with moving meshes only
+
+    ++runTime;
+    while (pimple.loop()) {
+#include "UEqn.H"
+        while (pimple.correct()) {
+#include "pEqn.H"
+        }
+        if (pimple.turbCorr()) {
+            laminarTransport.correct();
+            turbulence->correct();
+        }
+    }
+}
+
+}  // namespace
+
+}  // namespace magfsi::openfoam
+
+// Errors of OpenFOAM become exceptions in place of an exit, and its log is switched off.
+// Pstream starts only for more than one rank, and only once.
+magfsi::openfoam::Engine* magfsi_openfoam_engine(
+    const magfsi::openfoam::EngineSetup& setup) {
+    using namespace magfsi::openfoam;
+    Foam::FatalError.throwExceptions();
+    Foam::FatalIOError.throwExceptions();
+    Foam::messageStream::level = 0;  // no log of every linear solve
+    if (setup.mesh.first_cell.size() > 2 && !Foam::UPstream::parRun()) {
+        int arguments = 0;
+        char** none = nullptr;
+        Foam::UPstream::init(arguments, none, false);
+    }
+    return guarded([&] { return new PimpleEngine(setup); });
+}
