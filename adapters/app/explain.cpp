@@ -169,8 +169,9 @@ std::vector<std::string> warnings(const std::string& explanation) {
     return out;
 }
 
-// explain() runs here, too, for its warnings; values that do not apply have no key.
-nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
+// Values that do not apply have no key.
+nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks,
+                             const std::string& explained) {
     nlohmann::ordered_json out;
     out["name"] = scene.name;
     out["scene_hash"] = fmt::format("{:016x}", scene.hash);
@@ -188,7 +189,7 @@ nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
             out["structure"]["stable_step_s"] = s.elastic_limit_s;
     }
     if (const auto cost = prediction(scene, ranks)) out["predicted"] = to_json(*cost);
-    out["warnings"] = warnings(explain(scene, ranks));
+    out["warnings"] = warnings(explained);
     out["scene"] = scene::effective_scene(scene);
     return out;
 }

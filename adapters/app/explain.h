@@ -22,8 +22,9 @@ std::vector<std::string> warnings(const std::string& explanation);
 
 // JSON object for programs: name, scene_hash (as in summary.json), version, machine,
 // ranks by role; spacing_m and step_s of a fluid; steps of moving bodies; the predicted
-// cost on a calibrated machine; the warnings of explain(); and all values of the scene in
-// SI units.
-nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks);
+// cost on a calibrated machine; the warnings in `explained`, the text of explain(); and
+// all values of the scene in SI units.
+nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks,
+                             const std::string& explained);
 
 }  // namespace magfsi::launch

@@ -75,7 +75,7 @@ int explain(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
     const auto ranks = launch::choose_ranks(scene, options.run.ranks);
     const std::string text = launch::explain(scene, ranks);
-    const auto facts = launch::facts(scene, ranks);
+    const auto facts = launch::facts(scene, ranks, text);
     if (options.json)
         fmt::print("{}\n", facts.dump(2));
     else

@@ -211,7 +211,7 @@ std::vector<std::string> changes() {
             "time.step=19 us",
             body + "mesh.box.size=[3.7 mm, 1.5 mm, 0.186 mm]",
             body + "mesh.box.elements=[19, 8, 2]",
-            body + "element=full",
+            body + "element=assumed_strain",
             body + "material.shear_modulus=34 kPa",
             body + "material.lame_lambda=661 kPa",
             body + "material.density=1861 kg/m3",

@@ -109,7 +109,8 @@ TEST_F(Script, RefusesBadInputInOneSentence) {
     input_.bodies[0].clamps.clear();
     input_.bodies[0].material.density_kg_m3 = -140;
     EXPECT_EQ(error(),
-              "body strip has an effective density of -140 kg/m3, it must be positive");
+              "body strip has an effective density of -140 kg/m3, it must be positive: "
+              "take a larger density of the material");
     input_.bodies.clear();
     EXPECT_EQ(error(), "no body found, one is needed");
 }
