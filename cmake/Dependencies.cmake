@@ -78,7 +78,9 @@ macro(magfsi_find_lammps versions)
     add_library(magfsi_lammps_headers INTERFACE IMPORTED)
     target_include_directories(magfsi_lammps_headers SYSTEM BEFORE INTERFACE
       ${LAMMPS_INCLUDE_DIR}/lammps)
-    target_compile_options(magfsi_lammps_headers INTERFACE "SHELL:-include ${versions}")
+    # A target with MAGFSI_LAMMPS_PRECOMPILED has that header in its precompiled one.
+    target_compile_options(magfsi_lammps_headers INTERFACE
+      "SHELL:$<$<NOT:$<BOOL:$<TARGET_PROPERTY:MAGFSI_LAMMPS_PRECOMPILED>>>:-include ${versions}>")
     target_compile_definitions(magfsi_lammps_headers INTERFACE LAMMPS_SMALLBIG)
     target_link_libraries(magfsi_lammps_headers INTERFACE ${LAMMPS_LIBRARY} MPI::MPI_CXX)
   endif()
