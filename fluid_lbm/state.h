@@ -105,6 +105,10 @@ void each_row_of(const Fluid::State& s, std::span<const CellBox> parts, Use&& us
     }
 }
 
+// Moments of a row, in local indices, with half of the body force added to the momentum
+// of fluid cells, so that the velocity is that at the time of the step.
+void moments_in_time(const Fluid::State& s, const CellRow& row, RowMoments& m);
+
 // Number of cells of a row that lie in no obstacle. row: local indices.
 inline double fluid_cells_of(const Fluid::State& s, const CellRow& row) {
     if (!s.obstacles) return row.size();

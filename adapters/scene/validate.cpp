@@ -158,7 +158,7 @@ constexpr RemovedWord removed_words[] = {
      "out for iqn_ils"},
     {"precision", "float_double", "it was removed: write float, or double"},
     {"element", "mean_f",
-     "it was removed: write assumed_strain, which is better in every mode"},
+     "it was removed: write assumed_strain, which bends and twists as the solid does"},
 };
 
 // Advice for a removed word, else the most similar one.

@@ -9,7 +9,13 @@ namespace magfsi::fluid {
 
 SolidMap::SolidMap(const FluidConfig& config, const Solids& solids, const CellBox& owned)
     : origin_(owned.lo), box_cells_(config.cells), periodic_(periodic_axes(config)) {
-    for (int a = 0; a < 3; ++a) size_[a] = owned.hi[a] - owned.lo[a];
+    for (int a = 0; a < 3; ++a) {
+        size_[a] = owned.hi[a] - owned.lo[a];
+        if (size_[a] > most_cells_along)
+            refuse(size_[a], " cells of a rank along ", axis_name[a],
+                   " found beside obstacles; at most ", most_cells_along,
+                   ": take a larger spacing");
+    }
     const std::size_t rows = static_cast<std::size_t>(size_[1] + 2) * (size_[2] + 2);
     of_cell_.assign(rows * (size_[0] + 2), fluid);
     row_has_solid_.assign(rows, 0);

@@ -61,6 +61,9 @@ class SolidMap {
     std::vector<long long> cell_counts_;
 };
 
+// Largest number of cells of a rank along an axis: what CutLink::cell can hold.
+inline constexpr int most_cells_along = 32767;
+
 // A lattice link from a fluid cell into an obstacle.
 struct CutLink {
     // Slots, by arrangement, of the population of the fluid cell that comes from the

@@ -8,10 +8,6 @@
 
 namespace magfsi::fluid {
 
-namespace {
-
-// Moments of a row with half of the body force added to the momentum, so that the
-// velocity is that at the time of the step.
 void moments_in_time(const Fluid::State& s, const CellRow& row, RowMoments& m) {
     row_moments(s.view(), row.y, row.z, row.x_begin, row.x_end, m);
     if (!s.config.body_force_n_m3) return;
@@ -21,6 +17,8 @@ void moments_in_time(const Fluid::State& s, const CellRow& row, RowMoments& m) {
         for (int a = 0; a < 3; ++a) m.j[a][x] += half[a];
     }
 }
+
+namespace {
 
 // Sums over cells in lattice units; `cells` is the number of fluid cells.
 struct Sums {

@@ -56,7 +56,7 @@ VelocityField::VelocityField(const Fluid::State& state)
     RowMoments m;
     for (int z = 0; z < layout_.nz; ++z) {
         for (int y = 0; y < layout_.ny; ++y) {
-            row_moments(state.view(), y, z, 0, layout_.nx, m);
+            moments_in_time(state, {y, z, 0, layout_.nx}, m);
             double* to = at(0, y, z);
             for (int x = 0; x < layout_.nx; ++x) {
                 const double volume = 1 / (1 + m.excess[x]);

@@ -32,8 +32,8 @@ def _panel(axes, study):
     axes.set(xlim=(-0.6, len(across) - 0.4), ylim=(len(rows) - 0.4, -0.6))
     axes.set_xlabel(study.axes[0])
     right = sum(kind == "right" for _, kind, _ in study.cells)
-    axes.set_title(f"{study.name}: {right} of {len(study.cells)} right\nrows: "
-                   + ",  ".join(study.axes[1:]), loc="right", fontsize=7.5)
+    rows_are = f"\nrows: {',  '.join(study.axes[1:])}" if study.axes[1:] else ""
+    axes.set_title(f"{study.name}: {right} of {len(study.cells)} right{rows_are}", loc="right", fontsize=7.5)
     axes.tick_params(length=2)
     for y in range(1, len(rows)):
         if rows[y][0] != rows[y - 1][0] and len(rows[0]) > 1:

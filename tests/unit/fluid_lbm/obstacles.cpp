@@ -134,6 +134,12 @@ TEST(ObstacleCells, MustExist) {
                    "\"grain\" holds the centre of no cell");
 }
 
+TEST(ObstacleCells, AreNotBesideMoreCellsThanALinkCanName) {
+    FluidConfig config = lattice_fluid({32768, 2, 2}, 0.6, Collision::automatic);
+    config.obstacles = {{"ball", Sphere{{5, 1, 1}, 0.9}}};
+    expect_refused([&] { Fluid(MPI_COMM_WORLD, config); }, "at most 32767");
+}
+
 // 4/3 pi r^3 of cells, through the periodic sides or not.
 TEST(ObstacleCells, FillTheSphere) {
     FluidConfig config = lattice_fluid({24, 24, 24}, 0.6, Collision::automatic);

@@ -112,14 +112,29 @@ TEST(Enstrophy, is_that_of_the_vorticity) {
 }
 
 // u along one axis, a parabola of the position along the wall's normal.
-class CurlAtWalls : public testing::TestWithParam<int> {};
+class CurlAtWalls : public testing::TestWithParam<int> {
+  protected:
+    void check(double force_n_m3);
+};
 
+// A body force moves the populations' momentum half a step behind the velocity.
+TEST_P(CurlAtWalls, OfAParabolaIsExactWithABodyForce) {
+    check(1e4);
+}
 TEST_P(CurlAtWalls, OfAParabolaIsExact) {
+    check(0);
+}
+
+void CurlAtWalls::check(double force_n_m3) {
     const int normal = GetParam(), along = (normal + 1) % 3, third = (normal + 2) % 3;
     constexpr double a = 0.01, b = 30, c = -4e4;  // m/s, 1/s, 1/(m s)
     FluidConfig config = water({6, 6, 6});
     set_walls(config, normal);
     const auto u = [](double s) { return a + b * s + c * s * s; };
+    if (force_n_m3 != 0) {
+        config.body_force_n_m3.emplace(Vec3{});
+        (*config.body_force_n_m3)[along] = force_n_m3;
+    }
     config.boundaries[2 * normal].wall_velocity_m_s[along] = u(0);
     config.boundaries[2 * normal + 1].wall_velocity_m_s[along] = u(6 * spacing_m);
     config.initial_velocity = [&](const Vec3& x) {
