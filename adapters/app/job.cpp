@@ -109,7 +109,9 @@ struct LostProcess {
 // dashes, are hidden; what they say about a killed process is stored.
 class MpirunMessages {
   public:
-    void take(const std::string& line) {
+    void take(std::string line) {
+        // Open MPI 5 ends its messages with a NUL character.
+        if (std::erase(line, '\0') > 0 && line.empty()) return;
         if (line.size() > 40 && line.find_first_not_of('-') == std::string::npos) {
             if (in_banner_)
                 close_banner();

@@ -3,6 +3,7 @@
 #include "adapters/app/mpirun.h"
 
 #include <fmt/format.h>
+#include <pwd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -127,6 +128,10 @@ std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
 
 void set_mpirun_environment() {
     setenv("PATH", default_path, 0);  // Open MPI needs one
+    if (!std::getenv("HOME")) {       // and so does Open MPI 5
+        const passwd* const user = getpwuid(geteuid());
+        setenv("HOME", user ? user->pw_dir : "/", 0);
+    }
     // Debian's PMIx 5 crashes on jobs of several programs in the plug-in that writes
     // variables about them (open-mpi/ompi#13303). Nothing in magfsi reads those
     // variables.

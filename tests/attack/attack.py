@@ -35,7 +35,8 @@ def at_work(folder):
         except (FileNotFoundError, ProcessLookupError):
             continue
         if str(folder) in words and state(entry.name) not in ("Z", "X", ""):
-            found[Path(words[0]).name] = int(entry.name)
+            name = Path(words[0]).name
+            found["mpirun" if name == "prterun" else name] = int(entry.name)  # Open MPI 5's name
     return found
 
 

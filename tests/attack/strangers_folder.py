@@ -209,7 +209,7 @@ class Code(Folder):
         (self.folder / "mpirun").chmod(0o755)
         self.run_scene()
 
-    @unittest.skipUnless((testing.BIN / "magfsi-fluid-openfoam").exists(), "without OpenFOAM")
+    @unittest.skipUnless(list((testing.BIN.parent / "lib").glob("*openfoam*")), "without OpenFOAM")
     def test_a_case_of_openfoam(self):
         self.write(end="4 ms", text=FLUID)
         self.run_scene()
