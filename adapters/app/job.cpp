@@ -122,6 +122,8 @@ class MpirunMessages {
                    // Open MPI 5, of networks of a machine that it does not need; the
                    // lines of two processes may be mixed.
                    line.starts_with("Unable to find reachable pairing") ||
+                   // hwloc, in a container without /sys.
+                   line.starts_with("hwloc/") ||
                    (line.starts_with('[') && has_any({&line, 1}, known_lines))) {
             return;
         } else if (in_banner_) {
