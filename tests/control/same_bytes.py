@@ -20,14 +20,14 @@ class OwnLaw(unittest.TestCase):
             own = testing.good_run(testing.SMALL, COUPLED, ranks)
             steered = testing.good_run(testing.SMALL, with_control(COUPLED, of(f"return {LAW}"),
                                                                    "0.5 ms", PROBES), ranks)
-            self.assertEqual(scenes.results(steered.folder), scenes.results(own.folder))
+            testing.check_same_files(self, scenes.results(steered.folder), scenes.results(own.folder))
 
     def test_a_law_that_leaves_the_plane_out_has_the_scenes(self):
         turned = {**ALONE, "magnetic_field.plane": "yz"}
         law = '{"constant": {"magnitude": "17 mT", "direction": "45 deg"}}'
         own = testing.good_run(EVERY, turned)
         steered = testing.good_run(EVERY, with_control(turned, of(f"return {law}")))
-        self.assertEqual(scenes.results(steered.folder), scenes.results(own.folder))
+        testing.check_same_files(self, scenes.results(steered.folder), scenes.results(own.folder))
 
     def test_three_components(self):
         own = testing.good_run(EVERY, {**ALONE, "magnetic_field.constant": "",

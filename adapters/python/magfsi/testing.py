@@ -138,6 +138,13 @@ def check_refused(test, result, message=""):
     report(result.err.strip())
 
 
+def check_same_files(test, found, expected):
+    """{name: bytes} of two folders are equal. Names what differs: unittest's own comparison of
+    megabytes takes for ever when it fails."""
+    test.assertEqual(sorted(found), sorted(expected))
+    test.assertEqual([name for name in found if found[name] != expected[name]], [])
+
+
 def processes_of(folder, *names):
     """Process ids of these participants of this run folder."""
     found = []
