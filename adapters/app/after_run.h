@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What magfsi run does when its job has ended.
+// Steps of magfsi run after its job has ended: traces, the page.
 #pragma once
 
 #include <filesystem>

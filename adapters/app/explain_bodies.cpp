@@ -134,8 +134,7 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
                                     : "");
     return fmt::format(
         "    inertia of the enclosed fluid: {:.3g} % subtracted from the nodes' mass, "
-        "the "
-        "rest a force on the markers\n",
+        "the rest a force on the markers\n",
         100 * off / fluid);
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "adapters/scene/field.h"
+#include "base/fitted/constants.h"
 
 namespace magfsi::scene {
 
@@ -252,7 +253,7 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 // n is the extent in marker spacings; both sides of all three pairs of faces count.
 double most_markers(const Scene& scene, const Vec3& extent_m) {
     if (!scene.coupling || !scene.fluid) return 0;
-    const double apart_m = marker_spacing * scene.fluid->finest_spacing_m();
+    const double apart_m = fitted::marker_spacing * scene.fluid->finest_spacing_m();
     Vec3 n{};
     for (int i = 0; i < 3; ++i) n[i] = extent_m[i] / apart_m;
     return 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);

@@ -98,9 +98,6 @@ void check_script(const std::filesystem::path& file, const Origin& where);
 // explain answer within seconds on one core.
 constexpr double max_elements = 250'000;
 constexpr double max_markers = 500'000;
-// Largest distance of the penalty's markers, in grid spacings; beyond about 1 the surface
-// leaks.
-constexpr double marker_spacing = 0.5;
 // Upper bound of the number of markers of a body with this bounding box, over both faces
 // and the rim of a block. 0 without a fluid.
 double most_markers(const Scene& scene, const Vec3& extent_m);

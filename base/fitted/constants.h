@@ -88,6 +88,19 @@ inline constexpr double thinned_more = 0.08;
 // too large. Test: no_slip_ball.
 inline constexpr double beyond_shell = 0.08;
 
+// --- places of markers, forcing penalty; lengths in grid spacings ---------------------
+
+// Largest distance of markers; beyond about 1 the surface leaks. Test: none.
+inline constexpr double marker_spacing = 0.5;
+
+// Depth below the surface. At 0.4 a sphere of 6 or 12 cells settles at the same speed,
+// that of the experiment. Test: sphere_of_markers_drag.
+inline constexpr double retraction = 0.4;
+
+// Depth below the rim of a sheet. At 0.9 a plate of the swimmer's shape falls alike at 15
+// and 7 cells a width. Test: none.
+inline constexpr double rim_retraction = 0.9;
+
 // --- forces on markers, forcing no_slip -----------------------------------------------
 
 // Factor s of the force (coupler/immersed_boundary/no_slip.h). At 1 the slip of markers

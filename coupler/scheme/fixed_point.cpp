@@ -116,8 +116,7 @@ bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
             "coupled step {} has not converged: after {} iterations the {} changes by "
             "{:.3g} of itself, allowed is {:.3g} "
             "(coupling.iteration.velocity_tolerance); take a smaller time.step, {}a "
-            "larger "
-            "coupling.iteration.max_iterations, or on_no_convergence: continue",
+            "larger coupling.iteration.max_iterations, or on_no_convergence: continue",
             step, iteration_ + 1, record_.measure, residual, wanted.velocity_tolerance,
             wanted.acceleration == AccelerationMethod::iqn_ils
                 ? ""

@@ -101,8 +101,7 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
                 refuse("the refined patch reaches the ", name_of(boundary.kind), " at ",
                        side_name[side],
                        "; keep the bodies, or fluid.refinement.box, further from it, or "
-                       "make "
-                       "fluid.box larger");
+                       "make fluid.box larger");
             }
         }
     }

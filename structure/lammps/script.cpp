@@ -40,8 +40,7 @@ void check_input(const LammpsInput& input) {
             if (material.density_kg_m3 > 0) continue;
             refuse(
                 "body {} has an effective density of {:g} kg/m3, it must be positive: "
-                "take "
-                "a larger density of the material",
+                "take a larger density of the material",
                 body.name, material.density_kg_m3);
         }
     }

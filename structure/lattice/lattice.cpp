@@ -87,8 +87,7 @@ void check_material(const Material& material) {
     if (!(material.shear_modulus_pa > 0) || !(material.lame_lambda_pa >= 0)) {
         refuse(
             "material with G = {:g} Pa and K = {:g} Pa found, G must be positive and K "
-            "not "
-            "negative",
+            "not negative",
             material.shear_modulus_pa, material.lame_lambda_pa);
     }
 }

@@ -110,8 +110,7 @@ point_fields::Field<Gradient> GridValues::at(
             throw std::runtime_error(fmt::format(
                 "a body has left the grid of the field: it is at {} = {:.6g} m of the "
                 "grid, which reaches from {:g} to {:g} m; take a larger grid, or hold "
-                "the "
-                "body inside",
+                "the body inside",
                 "xyz"[d], x[d].value, axis.front(), axis.back()));
         }
         along[d] = stencil(x[d].value, axis);
@@ -153,8 +152,7 @@ GridValues read_grid(const std::filesystem::path& file) {
     if (values[0].size() != points) {
         refuse(
             "field grid {}: {} rows found for a grid of {} x {} x {} points; it needs "
-            "one "
-            "row for each point",
+            "one row for each point",
             file.string(), values[0].size(), axes[0].size(), axes[1].size(),
             axes[2].size());
     }
@@ -168,8 +166,7 @@ GridValues read_grid(const std::filesystem::path& file) {
         if (there[at]) {
             refuse(
                 "field grid {}: the point ({:g}, {:g}, {:g}) m found twice, each is "
-                "needed "
-                "once",
+                "needed once",
                 file.string(), values[0][r], values[1][r], values[2][r]);
         }
         there[at] = true;

@@ -301,8 +301,7 @@ std::vector<Vec3> region_magnetization(const Mesh& mesh,
     if (mesh.region_names.empty()) {
         refuse(
             "a magnetisation by region found for a mesh without regions; name its "
-            "volumes "
-            "in Gmsh (physical groups), or take another law");
+            "volumes in Gmsh (physical groups), or take another law");
     }
     const auto& names = mesh.region_names;
     for (const auto& [name, unused] : vector_a_m) {

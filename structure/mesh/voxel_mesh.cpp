@@ -37,10 +37,8 @@ void keep_largest_part(Mesh& mesh, double spacing_m) {
         sizes.resize(sizes.size() - more);
         refuse(
             "cubes of {:g} m make {} parts that no face joins, of {}{} cubes; a body is "
-            "of "
-            "one part: take a smaller spacing, or join the parts in the file by what is "
-            "at "
-            "least a cube thick",
+            "of one part: take a smaller spacing, or join the parts in the file by "
+            "what is at least a cube thick",
             spacing_m, sizes.size() + more, fmt::join(sizes, ", "),
             more > 0 ? fmt::format(" and {} parts more of fewer", more) : "");
     }

@@ -5,6 +5,7 @@
 #include "adapters/solvers/bodies/filled_cubes.h"
 #include "adapters/solvers/bodies/marker_surface.h"
 #include "adapters/solvers/bodies/scene_to_body.h"
+#include "base/fitted/constants.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/sheet.h"
 #include "structure/mesh/surface.h"
@@ -13,21 +14,15 @@ namespace magfsi::bodies {
 
 namespace {
 
-// Constants of the penalty's markers, in grid spacings. Their depth below the surface,
-// and below the rim of a sheet. Fitted: at 0.4 a sphere of 6 or 12 cells settles at the
-// same speed, that of the experiment; at 0.9 a plate of the swimmer's shape falls alike
-// at 15 and 7 cells a width.
-constexpr double retraction = 0.4, rim_retraction = 0.9;
-
 // Markers of a sheet, in one layer below each face. Each layer moves half of the fluid.
 std::vector<PlacedMarker> below_both_faces(const structure::Mesh& mesh,
                                            const structure::Sheet& sheet,
                                            const DryFaces& dry, double grid_m) {
-    const double apart_m = scene::marker_spacing * grid_m;
+    const double apart_m = fitted::marker_spacing * grid_m;
     std::vector<PlacedMarker> markers;
     for (const auto side : {structure::SheetSide::bottom, structure::SheetSide::top}) {
-        for (const auto& p : structure::points_below_face(mesh, sheet, side,
-                                                          retraction * grid_m, apart_m)) {
+        for (const auto& p : structure::points_below_face(
+                 mesh, sheet, side, fitted::retraction * grid_m, apart_m)) {
             markers.push_back({p.point, 0.5 * p.area_m2 * grid_m});
             // The normals of both layers point towards the top.
             const double area_m2 =
@@ -38,19 +33,19 @@ std::vector<PlacedMarker> below_both_faces(const structure::Mesh& mesh,
         }
     }
     draw_back(markers, mesh, dry.without(structure::rim_of(mesh, sheet)),
-              rim_retraction * grid_m, apart_m);
+              fitted::rim_retraction * grid_m, apart_m);
     return markers;
 }
 
 // Markers throughout the volume of a body, thinned out towards its wet surface.
 std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh, const DryFaces& dry,
                                          double grid_m) {
-    const double apart_m = scene::marker_spacing * grid_m;
+    const double apart_m = fitted::marker_spacing * grid_m;
     std::vector<PlacedMarker> markers;
     for (const auto& p : structure::volume_points(mesh, apart_m))
         markers.push_back({p.point, p.volume_m3});
     const auto surface = dry.without(structure::boundary_quads(mesh));
-    draw_back(markers, mesh, surface, retraction * grid_m, apart_m);
+    draw_back(markers, mesh, surface, fitted::retraction * grid_m, apart_m);
     share_surface(markers, mesh, surface, apart_m);
     return markers;
 }

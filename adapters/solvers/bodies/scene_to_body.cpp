@@ -110,8 +110,7 @@ structure::Mesh convert(const std::string& file, double unit_m) {
     if (status == crashed)
         throw std::invalid_argument(
             fmt::format("mesh {}: Gmsh's library crashes on it; open it in Gmsh and save "
-                        "it again, or "
-                        "mesh its geometry anew",
+                        "it again, or mesh its geometry anew",
                         file));
     std::string message = text_of(messages);
     while (!message.empty() && message.back() == '\n') message.pop_back();

@@ -96,8 +96,8 @@ Substeps chosen_substeps(const scene::Scene& scene) {
         if (step > s.elastic_limit_s || (s.drag_limit_s > 0 && step > s.drag_limit_s)) {
             throw std::invalid_argument(
                 fmt::format("coupling.substeps: {} makes a structure step of {:.3g} us; "
-                            "the lattice is stable "
-                            "up to {:.3g} us and the immersed boundary up to {:.3g} us; "
+                            "the lattice is stable up to {:.3g} us and the immersed "
+                            "boundary up to {:.3g} us; "
                             "use {} or more",
                             asked, step * 1e6, s.elastic_limit_s * 1e6,
                             s.drag_limit_s * 1e6, s.count));

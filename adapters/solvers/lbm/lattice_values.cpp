@@ -151,8 +151,7 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
         if (at_once || start > overshoots)
             text += fmt::format(
                 ", so that the far end follows late and overshoots, and forces with it: "
-                "a "
-                "ramp of {:.3g} ms has {:.2g}",
+                "a ramp of {:.3g} ms has {:.2g}",
                 1e3 * pi * crossing_s / std::sqrt(overshoots), overshoots);
         text += "\n";
     }

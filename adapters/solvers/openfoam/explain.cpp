@@ -69,8 +69,7 @@ std::string explain(const scene::Scene& scene, int /*ranks*/) {
     if (courant > max_courant) {
         text += fmt::format(
             "  warning: a Courant number of {:.3g} is inaccurate: take a time.step of "
-            "{:.3g} "
-            "us\n",
+            "{:.3g} us\n",
             courant, step_s * max_courant / courant * 1e6);
     }
     if (grid_reynolds > fitted::max_cell_reynolds) {

@@ -49,8 +49,7 @@ TEST(Effects, of_a_solid) {
         (Names{
             "structure step: elasticity, magnetic field; absent: viscosity, "
             "field gradient, field sources, dipoles, control, gravity, damping, "
-            "platform, "
-            "friction, contact, "
+            "platform, friction, contact, "
             "clamps, rollers, prescribed motion",
             "coupled step: none; absent: immersed boundary, buoyancy, "
             "overlap check, implicit scheme",

@@ -51,8 +51,7 @@ TEST(FieldFiles, become_rows_of_the_scene) {
     const Scene rows = read_scene(
         test_folder / "complete/spatial.yaml",
         {"magnetic_field.plus.2={vector_table: {time: [0 s, 50 ms, 100 ms], repeat: "
-         "true, "
-         "vector: [[0 T, 0 T, 0 T], [1.5 mT, 1 mT, 20 uT], [0 T, 0 T, 0 T]]}}"});
+         "true, vector: [[0 T, 0 T, 0 T], [1.5 mT, 1 mT, 20 uT], [0 T, 0 T, 0 T]]}}"});
     EXPECT_EQ(rows.hash, s.hash);
 }
 

@@ -88,8 +88,7 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
     if (bodies.empty() || !(distance_m > 0)) {
         refuse(
             "contact of {} bodies at a distance of {:g} m found; it needs a body or "
-            "more, "
-            "and a distance above 0 m",
+            "more, and a distance above 0 m",
             bodies.size(), distance_m);
     }
     double softest = INFINITY;
