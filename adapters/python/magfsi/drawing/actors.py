@@ -7,24 +7,15 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 from magfsi.plotting import read_grid
+from magfsi.report.colours import colour_table
 
 SHARES_OF_MAXIMUM = (0.12, 0.3, 0.6)
 OPACITIES = (0.13, 0.22, 0.4)
 WATER = ((0.62, 0.80, 0.93), (0.25, 0.58, 0.82), (0.07, 0.31, 0.60))
 STONE = (0.62, 0.63, 0.66)
-# The page's colour maps (report/colours.js).
-VIRIDIS = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30", "fde725"]
-CIVIDIS = ["00224e", "123570", "3b496c", "575d6d", "707173", "8a8678", "a59c74", "c3b369", "fee838"]
+GLASS = 0.85  # of a slice, as the page's
 BODIES = np.array([[219, 115, 51], [0, 114, 178], [0, 158, 115], [204, 121, 167], [86, 180, 233],
                    [230, 159, 0]])
-
-
-def colour_table(signed):
-    """(256, 3) as the page has it."""
-    stops = np.array([[int(s[i:i + 2], 16) for i in (0, 2, 4)]
-                      for s in (CIVIDIS if signed else VIRIDIS)])
-    at = np.linspace(0, len(stops) - 1, 256)
-    return np.round([np.interp(at, range(len(stops)), stops[:, c]) for c in range(3)]).T
 
 
 def unpacked(text, kind):
@@ -99,16 +90,20 @@ class Robot:
         both = self.stored[[i, j]].astype(float)
         return self.low + self.step * (both[0] + np.clip(part, 0, 1) * (both[1] - both[0]))
 
+    def chosen(self, name):
+        """The quantity whose name begins so; None without."""
+        return next((c for c in self.colours if name and c["name"].startswith(name)), None)
+
     def face_colours(self, time, name):
-        """(faces, 3) from 0 to 255: of the quantity whose name begins so, or of the bodies."""
-        chosen = next((c for c in self.colours if name and c["name"].startswith(name)), None)
+        """(faces, 3) from 0 to 255: of the chosen quantity, or of the bodies."""
+        chosen = self.chosen(name)
         if chosen is None:
             return BODIES[self.body % len(BODIES)].astype(float)
         values = unpacked(chosen["values"], "u1").reshape(chosen["frames"], -1)
         values = values[min(self.frame(time), chosen["frames"] - 1)].astype(int)
         if chosen["of"] == "nodes":
             values = (values[self.quads].sum(axis=1) + 2) // 4
-        return colour_table(chosen["signed"])[values]
+        return colour_table("signed" if chosen["signed"] else "magnitude")[values]
 
     def move(self, time, colours):
         """Puts the polygons where the bodies are, with these colours of faces."""
@@ -145,9 +140,8 @@ def show_slice(shape, flow, name, time):
     values = unpacked(q["values"], "u1").reshape(-1, flow["rows"], flow["columns"])
     frame = max(0, int(np.searchsorted(flow["times"], time * (1 + 1e-9) + 1e-12, "right")) - 1)
     values = values[frame].astype(int)
-    strength = 2 * np.abs(values - 127.5) if q["signed"] else values
-    alpha = np.minimum(225, 25 + 3 * strength)
-    rgba = np.dstack([colour_table(q["signed"])[values], alpha]).astype(np.uint8)
+    rgb = colour_table("signed" if q["signed"] else "flow")[values]
+    rgba = np.dstack([rgb, np.full(values.shape, 255 * GLASS)]).astype(np.uint8)
     image = vtk.vtkImageData()
     image.SetDimensions(flow["columns"], flow["rows"], 1)
     image.GetPointData().SetScalars(numpy_to_vtk(rgba.reshape(-1, 4), deep=True))

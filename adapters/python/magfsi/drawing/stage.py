@@ -17,7 +17,8 @@ from magfsi.drawing import actors
 from magfsi.report import data, fields
 
 YAW, PITCH = -0.35, 0.2  # of the page's view (report/view.js)
-SHARE_OF_VIEW = 0.9
+SHARE_OF_VIEW = 0.6
+ROOM = 20e6  # bytes of fields: a film has more of them than a page
 PAPER, INK, FIELD = (0.957, 0.957, 0.957), (0.1, 0.1, 0.1), (0.63, 0.29, 0.0)
 
 
@@ -43,11 +44,14 @@ class Stage:
         self.colour, self.flow_name, self.zoom = colour, flow, zoom
         self.yaw, self.pitch = yaw, pitch
         self.scene = data.read_json(self.folder / "scene.json", {})
-        self.run = data.read_run(self.folder, data.LARGEST_PAGE)
+        self.run = data.read_run(self.folder, ROOM)
         if not self.run["bodies"] and not self.run["flow"]:
             raise data.NotARun(f"{folder}: nothing to draw: no fields; output.structure in the "
                                "scene writes them")
         self.low, self.high = map(np.array, data.shown_box(self.scene, self.run["bodies"]))
+        # What fills the view: the bodies over their whole course, as on the page.
+        ends = self.run["bodies"] or {"low": self.low, "high": self.high}
+        self.frame = np.array(ends["low"]), np.array(ends["high"])
         self.renderer = vtk.vtkRenderer()
         self.robot = actors.Robot(self.run["bodies"]) if self.run["bodies"] else None
         self.moving, self.shown_flow = [], None
@@ -143,9 +147,9 @@ class Stage:
         return np.array([[cy, sy, 0], [-sp * sy, sp * cy, cp], [cp * sy, -cp * cy, sp]])
 
     def pixels_a_metre(self):
-        """As the page: the box fills its share of the first view."""
+        """As the page: what is framed fills its share of the first view."""
         right, up, _ = self.axes_of_view(YAW, PITCH)
-        size = np.maximum(self.high - self.low, 1e-9)
+        size = np.maximum(self.frame[1] - self.frame[0], 1e-9)
         return self.zoom * SHARE_OF_VIEW * min(self.size[0] / (np.abs(right) @ size),
                                                self.size[1] / (np.abs(up) @ size))
 
@@ -153,7 +157,7 @@ class Stage:
         camera = self.renderer.GetActiveCamera()
         if self.look == "picture":
             return self._aim_with_perspective(camera, centre)
-        middle = (self.low + self.high) / 2
+        middle = (self.frame[0] + self.frame[1]) / 2
         _, up, towards = self.axes_of_view()
         far = 10 * np.linalg.norm(self.high - self.low) + 1e-6
         camera.ParallelProjectionOn()
@@ -188,7 +192,8 @@ class Stage:
     def _show_robot(self, time):
         colours = self.robot.face_colours(time, self.colour)
         points = self.robot.points(time)
-        if self.look == "page":  # lit by how far a face looks towards the viewer
+        # What has a bar of colours is not lit: the bar says what is drawn.
+        if self.look == "page" and not self.robot.chosen(self.colour):  # lit by how far a face looks towards the viewer
             a, b, _, d = (points[self.robot.quads[:, i]] for i in range(4))
             normal = np.cross(b - a, d - a)
             towards = np.abs(normal @ self.axes_of_view()[2])
@@ -216,7 +221,7 @@ class Stage:
         field = self.run["field"]
         if not field or self.look == "picture":
             return
-        t = np.frombuffer(actors.base64.b64decode(self.run["probes"]["columns"][0]["values"]), "<f4")
+        t = actors.unpacked(field["times"], "<f4")
         row = max(0, int(np.searchsorted(t, time * (1 + 1e-6), "right")) - 1)
         vector = actors.unpacked(field["vectors"], "<f4").reshape(-1, 3)[row]
         right, up, _ = self.axes_of_view()

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Colour maps whose lightness rises from end to end, so that they are read in grey, and that do
-// not hang on telling red from green: viridis for magnitudes, cividis for what has two signs.
-// Nine stops each, in between on straight lines.
-
-const VIRIDIS = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
-const CIVIDIS = ["#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74", "#c3b369", "#fee838"];
-
-function table(stops) { // 256 colours, three numbers each
-  const parts = stops.map(s => [1, 3, 5].map(i => parseInt(s.slice(i, i + 2), 16))), all = new Uint8Array(768);
-  for (let i = 0; i < 256; ++i) {
-    const at = i / 255 * (parts.length - 1), k = Math.min(parts.length - 2, Math.floor(at));
-    for (let c = 0; c < 3; ++c) all[3 * i + c] = Math.round(parts[k][c] + (at - k) * (parts[k + 1][c] - parts[k][c]));
-  }
-  return all;
-}
-const MAGNITUDE = table(VIRIDIS), SIGNED = table(CIVIDIS);
-const mapOf = colour => colour.signed ? SIGNED : MAGNITUDE;
-const gradient = colour => `linear-gradient(to right,${(colour.signed ? CIVIDIS : VIRIDIS).join(",")})`;
+// Colours, numbers and units. MAPS: 256 colours each, from matplotlib (report/colours.py).
 
 const DARK = matchMedia("(prefers-color-scheme: dark)");
+const GLASS = 0.85; // how opaque a slice is, on the picture and in its bar
+const TABLES = Object.fromEntries(Object.entries(MAPS).map(([kind, text]) => [kind, unpack(text, Uint8Array)]));
+// On dark paper magnitudes of the flow begin dark, too.
+const mapOf = colour => TABLES[colour.signed ? "signed" : colour.of === "pixels" && !DARK.matches ? "flow" : "magnitude"];
+function gradient(colour) {
+  const map = mapOf(colour), at = i => `rgb(${map[3 * i]},${map[3 * i + 1]},${map[3 * i + 2]})`;
+  return `linear-gradient(to right,${Array.from({ length: 18 }, (_, i) => at(15 * i)).join(",")})`;
+}
+
 // Okabe and Ito's, without the yellow and the black.
 const LINES = () => DARK.matches ? ["#56b4e9", "#f0a04b", "#3ec79a", "#e39ac4"] : ["#0072b2", "#c85000", "#00805f", "#b0568c"];
 const BODIES = [[219, 115, 51], [0, 114, 178], [0, 158, 115], [204, 121, 167], [86, 180, 233], [230, 159, 0]];

@@ -1,23 +1,78 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Curves of the probes over time, a panel for each quantity, with a cursor at the view's time.
+// Which curves there are of the probes, what each is, and what is no curve: constants and rounding.
 
-const DASHES = [[], [6, 3], [2, 2]];
+const ROUNDING = 1e-9; // of the largest value beside it
+const NOTHING = 1e-12; // of a quantity without unit: two sums of the same terms differ by as much
 
-// Panels: columns that differ by x, y, z only stand together.
+// What the last word of a column says (docs/probes.md).
+const WORDS = {
+  field: "applied field, the same everywhere", com: "centre of mass, from the start", speed: "velocity of the centre of mass",
+  end_to_end: "distance of the ends of the centre line", mid_rise: "height of the middle over the line between the ends",
+  bend: "angle from one end's tangent to the other's; positive: ends up", max_displacement: "of the node furthest from its start",
+  fluid_force: "force of the fluid on the body, buoyancy with it", fluid_torque: "torque of the fluid about the centre of mass",
+  reaction: "force of what holds or moves the face", energy_elastic: "strain energy", energy_kinetic: "of the body's nodes",
+  work_magnetic: "done on the body by the field since the start", magnetic_force: "force of the field on the body",
+  magnetic_torque: "torque of the field about the centre of mass", momentum: "mass times velocity", flow: "volume through the plane a second",
+  momentum_flux: "momentum through the plane, without pressure", pressure: "mean over the plane's fluid", kinetic_energy: "of the fluid",
+  enstrophy: "mean of half the vorticity squared", mass: "of the fluid", max_speed: "largest speed in a cell of the fluid",
+  drag: "force along the flow", lift: "force across the flow", force: "force of the fluid on the obstacle",
+  momentum_mismatch: "given by one side less received by the other", power_mismatch: "given by one side less received by the other" };
+function explained(key, run) {
+  const at = /^field_at_(.*)/.exec(key);
+  if (at) return `field of all at the middle of ${at[1]}`;
+  const moved = /^(.*)_u$/.exec(key), point = run.points[moved ? moved[1] : key];
+  if (point) return `point of ${point.body} that was at ${point.at.map(v => number(1e3 * v)).join(", ")} mm in its mesh: ${moved ? "displacement" : "place"} from the start`;
+  if (/\.u$/.exec(key)) return "mean displacement of the part";
+  return WORDS[key.split(".").at(-1)] || WORDS[key.split("_").slice(-2).join("_")] || "";
+}
+
+const unitOf = name => /\[(.*)\]$/.exec(name)?.[1] || "1";
+const plain = name => name.replace(/\[.*\]$/, "");
+// "tip_ux[m]": ["tip_u[m]", "x"]
+const keyed = name => [name.replace(/([._]u?)[xyz]\[/, (_, before) => `${before.replace(/^[._]$/, "")}[`), /[._]u?([xyz])\[/.exec(name)?.[1] || ""];
+
+function spread(values) { // [lowest, highest]
+  let low = Infinity, high = -Infinity;
+  for (const v of values) if (isFinite(v)) { if (v < low) low = v; if (v > high) high = v; }
+  return [low, high];
+}
+
+// What lines are drawn over: what was varied, where all runs have it, else the time.
+function axisOf(runs) {
+  const name = runs[0].load?.name;
+  return name && runs.every(run => run.load?.name === name) ? { ...runs[0].load, of: run => run.x } : { name: "time", unit: "s", of: run => run.t };
+}
+
+// {panels: Map of lines by key, constants: [[words, run number]]}. Columns that differ by x, y, z only stand
+// together. Places are from the start: what is drawn of a point is its displacement.
 function panels(allRuns) {
-  const found = new Map();
+  const found = new Map(), constants = [];
   allRuns.forEach((run, r) => {
     if (!run.probes) return;
-    const columns = run.probes.columns.map(c => ({ name: c.name, values: unpack(c.values, Float32Array) }));
-    run.t = columns.find(c => c.name === "t[s]").values;
-    for (const { name, values } of columns) {
+    for (const c of run.probes.columns) c.line ||= unpack(c.values, Float32Array);
+    run.t = run.probes.columns.find(c => c.name === "t[s]").line;
+    if (run.load) run.x ||= unpack(run.load.values, Float32Array);
+    const names = new Set(run.probes.columns.map(c => c.name)), groups = new Map();
+    for (const { name, line, base } of run.probes.columns) {
       if (name === "t[s]") continue;
-      const key = name.replace(/_(u?)[xyz]\[/, (_, u) => u ? "_u[" : "["), part = /_u?([xyz])\[/.exec(name)?.[1] || "";
-      if (!found.has(key)) found.set(key, []);
-      found.get(key).push({ run, r, part, values, t: run.t, name });
+      const [key, part] = keyed(name), beside = name.replace(/_([xyz])\[/, "_u$1[");
+      if (beside !== name && names.has(beside)) continue;
+      const place = part !== "" && unitOf(name) === "m" && !/_u\[/.test(key), values = place || !base ? line : line.map(v => v + base);
+      if (!groups.has(key)) groups.set(key, []);
+      groups.get(key).push({ run, r, part, values, t: run.t, name, key, place });
+    }
+    for (const [key, lines] of groups) {
+      const scale = Math.max(...lines.map(l => Math.max(...spread(l.values).map(Math.abs))), 0), unit = unitOf(key);
+      const curves = lines.filter(l => {
+        const [low, high] = spread(l.values), own = l.part || unit !== "1" ? scale : Math.max(scale, NOTHING / ROUNDING);
+        // Single precision keeps seven digits of the value itself.
+        return high - low > Math.max(ROUNDING * own, 3e-7 * Math.max(Math.abs(low), Math.abs(high)));
+      });
+      for (const l of lines) if (!curves.includes(l)) constants.push([`${plain(l.name)} ${quantity(Math.abs(l.values[0]) > ROUNDING * scale && !(unit === "1" && scale < NOTHING) ? l.values[0] : 0, unit)}`, r]);
+      if (curves.length) found.set(key, [...(found.get(key) || []), ...curves]);
     }
   });
-  return found;
+  return { panels: found, constants };
 }
 
 // The value of a course at a time, on straight lines.
@@ -30,7 +85,7 @@ function at(line, time) {
   return values[a] + part * (values[b] - values[a]);
 }
 
-// Less the first run's course of the same name; without those that it lacks.
+// Less the first run's course of the same name, where both are; without those that it lacks.
 function differences(lines) {
   return lines.filter(l => l.r > 0).map(l => {
     const first = lines.find(o => o.r === 0 && o.name === l.name);
@@ -38,104 +93,9 @@ function differences(lines) {
   }).filter(Boolean);
 }
 
-function ticks(low, high, count) {
-  const step0 = (high - low) / count, power = 10 ** Math.floor(Math.log10(step0));
-  const step = [1, 2, 5, 10].map(m => m * power).find(s => s >= step0 * (1 - 1e-9)), all = [];
-  for (let k = Math.ceil(low / step - 1e-5); k * step <= high + 1e-5 * step; ++k) all.push(k * step);
-  return all;
-}
-
-class Panel {
-  constructor(name, lines, several, pick) {
-    this.several = several; this.name = name; this.all = lines;
-    this.figure = document.createElement("figure");
-    this.figure.dataset.panel = name;
-    this.caption = document.createElement("figcaption");
-    this.canvas = document.createElement("canvas");
-    this.cursor = document.createElement("span");
-    this.cursor.className = "cursor";
-    const frame = document.createElement("div");
-    frame.className = "frame";
-    frame.append(this.canvas, this.cursor);
-    this.figure.append(this.caption, frame);
-    this.take(lines);
-    const to = e => pick(this.t[0] + (e.offsetX - 58) / (this.canvas.clientWidth - 78) * (this.t[1] - this.t[0]));
-    this.canvas.onpointerdown = to;
-    this.canvas.onpointermove = e => { if (e.buttons) to(e); };
-  }
-
-  take(lines) {
-    this.lines = lines; this.t = [Infinity, -Infinity]; this.y = [Infinity, -Infinity];
-    for (const { t, values } of lines) {
-      this.t = [Math.min(this.t[0], t[0]), Math.max(this.t[1], t[t.length - 1])];
-      for (const v of values) if (isFinite(v)) { if (v < this.y[0]) this.y[0] = v; if (v > this.y[1]) this.y[1] = v; }
-    }
-    const [low, high] = this.y, largest = Math.max(Math.abs(low), Math.abs(high));
-    if (!(high - low > 1e-6 * largest)) { // rounding is no curve
-      const v = isFinite(low) ? (low + high) / 2 : 0, width = Math.abs(v) || 2;
-      this.y = [v - 0.5 * width, v + 0.5 * width];
-    }
-    if (!(this.t[1] > this.t[0])) this.t[1] = this.t[0] + 1;
-    const unit = /\[(.*)\]$/.exec(this.name)?.[1] || "1";
-    [this.factor, this.unit] = scaled(Math.max(Math.abs(this.y[0]), Math.abs(this.y[1])), unit);
-    [this.tFactor, this.tUnit] = scaled(Math.max(Math.abs(this.t[0]), this.t[1]), "s");
-    this.caption.textContent = `${this.name.replace(/\[.*\]$/, "")} [${this.unit}]`;
-  }
-
-  differ(on) { this.take(on ? differences(this.all) : this.all); this.drawCurves(); }
-
-  x(t) { return 58 + (t - this.t[0]) / (this.t[1] - this.t[0]) * (this.canvas.clientWidth - 78); }
-
-  drawCurves() {
-    const c = this.canvas, ratio = window.devicePixelRatio || 1, context = c.getContext("2d");
-    const [w, h] = [c.clientWidth, c.clientHeight], [left, right, top, bottom] = [58, w - 20, 8, h - 22];
-    c.width = ratio * w; c.height = ratio * h;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const y = v => bottom - (v - this.y[0]) / (this.y[1] - this.y[0]) * (bottom - top);
-    context.fillStyle = context.strokeStyle = getComputedStyle(c).color; context.font = "11px system-ui, sans-serif";
-    context.textAlign = "right"; context.textBaseline = "middle";
-    for (const v of ticks(this.factor * this.y[0], this.factor * this.y[1], 4)) {
-      const at = y(v / this.factor);
-      context.globalAlpha = 0.8; context.fillText(number(v), left - 6, at);
-      context.globalAlpha = 0.15; context.fillRect(left, at, right - left, 1);
-    }
-    context.globalAlpha = 0.8; context.textAlign = "center"; context.textBaseline = "alphabetic";
-    const times = ticks(this.tFactor * this.t[0], this.tFactor * this.t[1], Math.max(2, w / 75));
-    times.forEach((t, i) => {
-      const text = i === times.length - 1 ? `${number(t)} ${this.tUnit}` : number(t), half = context.measureText(text).width / 2;
-      context.fillText(text, Math.min(this.x(t / this.tFactor), w - half - 1), h - 6);
-    });
-    context.globalAlpha = 0.25; context.strokeRect(left, top, right - left, bottom - top);
-    context.globalAlpha = 1; context.lineWidth = 1.4; context.textAlign = "left"; context.textBaseline = "middle";
-    const marks = [], components = this.lines.some(l => l.part);
-    for (const { r, part, values, t } of this.lines) {
-      // A magnitude beside its components is none of them.
-      const whole = !part && components, axis = part ? "xyz".indexOf(part) : 0;
-      context.strokeStyle = whole ? getComputedStyle(c).color : line(this.several ? r : axis);
-      context.setLineDash(DASHES[axis]);
-      context.beginPath();
-      let broken = true;
-      values.forEach((v, i) => {
-        if (!isFinite(v)) { broken = true; return; }
-        context[broken ? "moveTo" : "lineTo"](this.x(t[i]), y(v)); broken = false;
-      });
-      context.stroke();
-      if (values.length === 1) context.fillRect(this.x(t[0]) - 2, y(values[0]) - 2, 4, 4);
-      const last = values.findLast(isFinite);
-      if ((part || whole) && last !== undefined) marks.push({ part: part || "|·|", at: y(last), style: context.strokeStyle });
-    }
-    context.setLineDash([]);
-    // Of several runs one letter for each axis; each in a place of its own.
-    const letters = this.several ? marks.filter((m, i) => marks.findIndex(o => o.part === m.part) === i) : marks;
-    letters.sort((a, b) => a.at - b.at);
-    letters.forEach((m, i) => { m.at = Math.max(m.at, i ? letters[i - 1].at + 11 : top + 4); });
-    for (let i = letters.length - 1, below = bottom - 2; i >= 0; --i, below = letters[i + 1].at - 11)
-      letters[i].at = Math.min(letters[i].at, below);
-    for (const m of letters) { context.fillStyle = m.style; context.fillText(m.part, right + 6, m.at); }
-  }
-
-  draw(time) {
-    const x = this.x(Math.min(this.t[1], Math.max(this.t[0], time)));
-    this.cursor.style.transform = `translateX(${x}px)`;
-  }
+function save(name, kind, text) {
+  const link = document.createElement("a");
+  link.download = name;
+  link.href = kind === "png" ? text : URL.createObjectURL(new Blob([text], { type: kind === "svg" ? "image/svg+xml" : "text/csv" }));
+  link.click();
 }

@@ -6,12 +6,13 @@ import json
 import numpy as np
 
 from magfsi import runs
-from magfsi.report import fields, shapes, waits
+from magfsi.report import fields, shapes, sources, waits
 from magfsi.report.fields import packed, spread
 
-# A page of more cannot be sent by mail or opened at once.
-LARGEST_PAGE = 20e6
+LARGEST_PAGE = 2e6  # bytes; a phone opens no more at once
 MOST_ROWS = 4000  # of a curve: more than a screen has pixels
+MOST_PLACES = 200  # of a magnet that moves
+ROUNDING = 1e-9  # of the largest
 AXES = "xyz"
 
 
@@ -34,38 +35,42 @@ def read_probes(folder):
     return columns if columns.get("t[s]") else {}
 
 
-def rows_shown(columns):
+def rows_shown(columns, most=MOST_ROWS):
     """Of a course that is too long, in each part of it the rows where some column is at its least
     or largest: a peak of one row is not lost."""
     count = len(columns["t[s]"])
-    if count <= MOST_ROWS:
+    if count <= most:
         return list(range(count))
     values = np.array([values for name, values in columns.items() if name != "t[s]"])
     rows = {0, count - 1}
-    parts = max(2, MOST_ROWS // (2 * max(1, len(values))))
+    parts = max(2, most // (2 * max(1, len(values))))
     edges = np.linspace(0, count, parts + 1).astype(int)
     for begin, end in zip(edges[:-1], edges[1:]):
         part = np.nan_to_num(values[:, begin:end])
         rows.update(begin + part.argmin(axis=1))
         rows.update(begin + part.argmax(axis=1))
-    rows.update(spread(count, max(2, MOST_ROWS - len(rows))))
+    rows.update(spread(count, max(2, most - len(rows))))
     return sorted(int(row) for row in rows)
 
 
-def probes(columns):
+def as_column(name, values):
+    """A length from its first value on: single precision would lose a small change of it."""
+    base = values[0] if name.endswith("[m]") and np.isfinite(values[0]) else 0.0
+    return {"name": name, "base": base, "values": packed(np.array(values) - base, "<f4")}
+
+
+def probes(columns, rows):
     if not columns:
         return None
-    rows = rows_shown(columns)
     return {"rows": len(rows), "stored": len(columns["t[s]"]), "columns": [
-        {"name": name, "values": packed(np.array(values)[rows], "<f4")}
-        for name, values in columns.items()]}
+        as_column(name, np.array(values)[rows]) for name, values in columns.items()]}
 
 
-def field_vectors(scene, columns):
+def uniform_field(scene, columns):
     """Three courses of the field [T] over the rows of the probes, if they tell them."""
     names = [f"field_{axis}[T]" for axis in AXES]
     if all(name in columns for name in names):
-        return [columns[name] for name in names]
+        return np.array([columns[name] for name in names]).T
     field, strength = scene.get("magnetic_field", {}), columns.get("field[T]")
     law = next((field[key] for key in ("table", "constant") if key in field), {})
     angle = law.get("direction")
@@ -74,16 +79,66 @@ def field_vectors(scene, columns):
     if not strength or not isinstance(angle, (int, float)) or len(plane) != 2:
         return None
     share = dict(zip(plane, (np.cos(angle), np.sin(angle))))
-    return [[b * share.get(axis, 0.0) for b in strength] for axis in AXES]
+    return np.array([[b * share.get(axis, 0.0) for axis in AXES] for b in strength])
 
 
-def field(scene, columns):
-    vectors = field_vectors(scene, columns) if columns else None
-    if vectors is None or not np.abs(vectors).max():
+def field_and_sources(scene, columns, rows, found):
+    """(the field over time, magnets and coils over time, courses of the field at the first body):
+    the uniform field, and with magnets or coils that at the body's middle."""
+    times = np.array(columns["t[s]"])[rows] if columns else np.array(found["times"] if found else [])
+    uniform = uniform_field(scene, columns)
+    vectors = None if uniform is None else uniform[rows]
+    drawn, courses = [], {}
+    if scene.get("magnetic_field", {}).get("sources") and found and len(times):
+        at = np.stack([np.interp(times, found["times"], c) for c in np.array(found["centres"]).T], 1)
+        made, more = sources.of_scene(scene, times, at)
+        drawn = [seen_source(source, times) for source in made]
+        vectors = more if vectors is None else vectors + more
+        if columns and np.isfinite(vectors).all():
+            courses = {f"field_at_{found['names'][0]}_{axis}[T]": vectors[:, a]
+                       for a, axis in enumerate(AXES)}
+    if vectors is None or not len(times) or not np.abs(vectors).max() > 0:  # of NaN neither
+        return None, drawn, courses
+    return {"largest": float(np.linalg.norm(vectors, axis=1).max()), "times": packed(times, "<f4"),
+            "at": found["names"][0] if drawn else "", "vectors": packed(vectors, "<f4")}, drawn, courses
+
+
+def seen_source(source, times):
+    still = not (np.ptp(source["place"], axis=0).any() or np.ptp(source["turned"], axis=0).any() or
+                 np.ptp(source["factor"]))
+    chosen = [0] if still and source["currents"] is None else spread(len(times), MOST_PLACES)
+    matrices = np.concatenate([source["turned"].reshape(-1, 9), source["place"]], axis=1)[chosen]
+    return {"name": source["name"], "times": packed(times[chosen], "<f4"),
+            "lines": [np.round(line, 9).tolist() for line in source["lines"]],
+            "moment": None if source["moment"] is None else source["moment"].tolist(),
+            "matrices": packed(matrices, "<f4"), "factor": packed(source["factor"][chosen], "<f4"),
+            "currents": None if source["currents"] is None else
+            [packed(current[chosen], "<f4") for current in source["currents"]]}
+
+
+def rises(values):
+    """Whether it only rises or only falls, by more than rounding."""
+    steps = np.diff(values)
+    least = ROUNDING * np.abs(values).max()
+    return len(steps) > 0 and (bool((steps > least).all()) or bool((steps < -least).all()))
+
+
+def load(scene, columns, rows):
+    """Of equilibria what is varied from one to the next, in place of a time that has no meaning:
+    the field's strength or direction if it only rises or only falls, else the number."""
+    if not columns or "equilibrium" not in scene.get("time", {}):
         return None
-    rows = rows_shown(columns)
-    return {"largest": float(np.linalg.norm(vectors, axis=0).max()),
-            "vectors": packed(np.array(vectors)[:, rows].T, "<f4")}
+    strength = np.array(columns.get("field[T]", []))[rows] if "field[T]" in columns else None
+    field, plane = uniform_field(scene, columns), scene.get("magnetic_field", {}).get("plane", "")
+    if strength is not None and rises(strength):
+        return {"name": "field", "unit": "T", "values": packed(strength, "<f4")}
+    if field is not None and len(plane) == 2:
+        first, second = (field[rows, AXES.index(axis)] for axis in plane)
+        angle = np.degrees(np.unwrap(np.arctan2(second, first)))
+        if rises(angle):
+            return {"name": f"direction of the field in {plane}", "unit": "deg",
+                    "values": packed(angle, "<f4")}
+    return {"name": "equilibrium", "unit": "1", "values": packed(np.array(rows) + 1, "<f4")}
 
 
 def largest(columns, name):
@@ -126,6 +181,11 @@ def checks(scene, columns, summary):
             for name, value, limit in found if value is not None and np.isfinite(value)]
 
 
+def most_rows(columns, most_bytes):
+    """Base64 takes four characters for three bytes."""
+    return int(min(MOST_ROWS, max(100, 0.15 * most_bytes / (len(columns) * 4 * 4 / 3))))
+
+
 def shown_box(scene, found):
     """Lowest and highest corner of what is shown."""
     box = scene.get("fluid", {}).get("box")
@@ -142,7 +202,14 @@ def read_run(folder, most_bytes):
         raise NotARun(f"{folder}: found no scene.json and run.json; allowed are folders that "
                       "./magfsi run has written")
     summary, columns = read_json(folder / "summary.json", {}), read_probes(folder)
-    found = fields.bodies(folder, 0.7 * most_bytes)
+    found = fields.bodies(folder, 0.4 * most_bytes)
+    rows = rows_shown(columns, most_rows(columns, most_bytes)) if columns else []
+    field, drawn, courses = field_and_sources(scene, columns, rows, found)
+    seen = probes(columns, rows)
+    if seen and courses:
+        # The field's law of time is none, or is part of what the body feels.
+        seen["columns"] = [c for c in seen["columns"] if not c["name"].startswith("field")] + \
+            [as_column(name, values) for name, values in courses.items()]
     low, high = shown_box(scene, found)
     middle = found["middle"] if found else [b / 2 for b in high] if high else None
     last = starts[-1]
@@ -160,6 +227,7 @@ def read_run(folder, most_bytes):
             "end": scene.get("time", {}).get("end"),
             "checks": checks(scene, columns, summary),
             "box": scene.get("fluid", {}).get("box"), "wires": shapes.wires(scene, low, high),
-            "field": field(scene, columns), "probes": probes(columns), "bodies": found,
-            "flow": fields.flow(folder, scene, middle, 0.3 * most_bytes)
+            "field": field, "sources": drawn, "load": load(scene, columns, rows), "probes": seen,
+            "points": scene.get("probes", {}).get("points", {}), "bodies": found,
+            "flow": fields.flow(folder, scene, middle, 0.45 * most_bytes)
             if "fluid" in scene and middle else None}

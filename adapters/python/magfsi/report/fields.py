@@ -129,6 +129,11 @@ def one_frame(file, nodes, elements):
             None if stretches is None else np.abs(stretches[elements] - 1).max(axis=1))
 
 
+def begin(points, times):
+    """The instant at which the bodies are furthest from where and how they started."""
+    return times[int(np.abs(points - points[0]).max(axis=(1, 2)).argmax())]
+
+
 def bodies(folder, most_bytes):
     """Positions of the surface in every frame, or in as many as there is room for."""
     stored = stored_frames(folder, "structure.pvd")
@@ -159,6 +164,9 @@ def bodies(folder, most_bytes):
     return {"times": [time for time, _ in chosen], "stored": len(stored), "nodes": len(nodes),
             "low": low.tolist(), "high": high.tolist(), "step": step,
             "middle": np.round(middle, 9).tolist(),  # at first
+            "centres": np.round((points.min(axis=1) + points.max(axis=1)) / 2, 9).tolist(),
+            "size": float(np.ptp(points, axis=1).max()),
+            "begin": begin(points, [time for time, _ in chosen]),
             "points": packed(np.round((points - low) / step), "<u2"),
             "faces": packed(faces, "<u4"), "body": packed(number, "u1"), "names": names,
             "colours": colours}

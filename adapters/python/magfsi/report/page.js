@@ -13,10 +13,9 @@ const share = v => v === 0 ? "0" : Math.abs(v) < 1e-4 ? v.toExponential(1) : `${
 const seconds = v => quantity(v, "s");
 
 const SHORTEST = 1e-9; // s, of a run that shows one instant only
-let allRuns = [], shownRun, several = false, drawn = [], end = 1, now = 0, playing = false, last = 0;
+let allRuns = [], shownRun, axis, several = false, drawn = [], end = 1, now = 0, playing = false, last = 0;
 const view = new View(element("view"));
 const runName = (run, i) => several ? `${i + 1}: ${run.folder}` : run.name;
-const colourOf = i => `--line: ${i}`;
 
 function showHead() {
   element("title").textContent = allRuns.map(run => run.name).join(", ");
@@ -40,23 +39,23 @@ function showChecks(box) {
   });
 }
 
-// Where the runs end, and by how much they differ from the first.
+// Values at the last instant that all runs have; differences of the first's largest value until then.
 function showEnds(box) {
-  if (!several) return;
-  const first = allRuns[0];
-  if (!first.probes) return;
-  add(box, "h2", "Last values, and differences from the first run");
+  if (!several || !allRuns.every(run => run.probes)) return;
+  const first = allRuns[0], common = Math.min(...allRuns.map(run => run.t.at(-1)));
+  const where = axis.name === "time" ? quantity(common, "s") : `${axis.name} ${quantity(at({ t: first.t, values: first.x }, common), axis.unit)}`;
+  add(box, "h2", `Values at ${where}, the last that all runs have`);
+  if (allRuns.some(run => run.t.at(-1) > common * (1 + 1e-6))) add(box, "p", `The runs end at ${allRuns.map(run => quantity(run.t.at(-1), "s")).join(", ")}.`, "grey");
   const rows = add(add(box, "div", undefined, "wide"), "table"), head = add(rows, "tr");
-  for (const text of ["", ...allRuns.map(runName), ...allRuns.slice(1).map((_, i) => `${i + 2} less 1`)]) add(head, "th", text);
-  for (const { name } of first.probes.columns) {
-    const lines = allRuns.map(run => run.probes?.columns.find(c => c.name === name)).map(c => c && unpack(c.values, Float32Array));
-    const ends = lines.map(values => values?.findLast(isFinite)), unit = /\[(.*)\]$/.exec(name)?.[1] || "1", row = add(rows, "tr");
-    add(row, "td", name.replace(/\[.*\]$/, ""));
-    for (const v of ends) add(row, "td", v === undefined ? "" : quantity(v, unit), "number");
-    for (const v of ends.slice(1)) {
-      const known = v !== undefined && ends[0] !== undefined;
-      add(row, "td", known ? quantity(v - ends[0], unit) + (ends[0] ? ` (${share((v - ends[0]) / Math.abs(ends[0]))})` : "") : "", "number");
-    }
+  for (const text of ["", ...allRuns.map(runName), ...allRuns.slice(1).map((_, i) => `${i + 2} less 1 (of the largest)`)]) add(head, "th", text);
+  for (const lines of panels(allRuns).panels.values()) for (const mine of lines.filter(l => l.r === 0)) {
+    const values = allRuns.map((_, r) => { const l = lines.find(o => o.r === r && o.name === mine.name); return l ? at(l, common) : NaN; });
+    const unit = unitOf(mine.name), row = add(rows, "tr"), scale = Math.max(...lines.filter(l => l.r === 0)
+      .flatMap(l => Array.from(l.values, (v, i) => l.t[i] <= common * (1 + 1e-6) ? Math.abs(v) : 0)));
+    add(row, "td", `${mine.place ? "Δ " : ""}${plain(mine.name)}`);
+    for (const v of values) add(row, "td", isFinite(v) ? quantity(v, unit) : "", "number");
+    for (const v of values.slice(1)) add(row, "td", isFinite(v) && isFinite(values[0]) ?
+      `${quantity(v - values[0], unit)}${scale ? ` (${share((v - values[0]) / scale)})` : ""}` : "", "number");
   }
 }
 
@@ -121,22 +120,39 @@ function showOrigin(box) {
 }
 
 function showCurves(box) {
-  const made = panels(allRuns);
-  drawn = [...made].map(([name, lines]) => new Panel(name, lines, several, t => go(t)));
+  const { panels: made, constants } = panels(allRuns);
+  axis = axisOf(allRuns);
+  drawn = [...made].map(([name, lines]) => new Panel(name, lines, several, axis, t => go(t)));
   drawn.forEach(panel => box.append(panel.figure));
   if (!drawn.length) add(box, "p", "none: the scene has no probes", "grey");
   element("differ-label").hidden = !several;
+  element("filter-label").hidden = drawn.length < 4;
+  const listed = several ? allRuns.map((run, r) => `${r + 1}: ${constants.filter(([, of]) => of === r).map(([words]) => words).join(", ")}`) :
+    [constants.map(([words]) => words).join(", ")];
+  element("constants").textContent = constants.length ? `constant: ${listed.join("; ")}` : "";
+  filter();
 }
 
-// A bar of colours with its ends, for what the robot or the flow is coloured by.
-function legend(box, text, q) {
+// Panels whose name or explanation has all of the words.
+function filter() {
+  const words = element("filter").value.toLowerCase().split(/\s+/);
+  for (const { figure } of drawn) {
+    const text = `${figure.dataset.panel} ${figure.querySelector(".what").textContent}`.toLowerCase();
+    figure.hidden = !words.every(word => text.includes(word));
+  }
+}
+
+// A bar of colours with its ends, for what the robot or the flow is coloured by; range: the part of
+// it that is shown.
+function legend(box, text, q, glass = 1, range = 1) {
   const item = add(box, "span", undefined, "legend");
   add(item, "span", text);
   const [factor, unit] = scaled(Math.max(Math.abs(q.low), Math.abs(q.high)), q.unit);
-  const bar = add(item, "span", undefined, "bar-ends");
-  add(bar, "span", (q.beyond && q.signed ? "≤ " : "") + number(factor * q.low), "number");
-  add(bar, "i", undefined, "map").style.background = gradient(q);
-  add(bar, "span", `${q.beyond ? "≥ " : ""}${number(factor * q.high)}${unit === "1" ? "" : " " + unit}`, "number");
+  const bar = add(item, "span", undefined, "bar-ends"), beyond = q.beyond || range < 1;
+  add(bar, "span", (beyond && q.signed ? "≤ " : "") + number(factor * range * q.low), "number");
+  const map = add(add(bar, "span", undefined, "map"), "i"); // on the view's paper, as the slice
+  map.style.background = gradient(q); map.style.opacity = glass;
+  add(bar, "span", `${beyond ? "≥ " : ""}${number(factor * range * q.high)}${unit === "1" ? "" : " " + unit}`, "number");
 }
 
 function showLegend() {
@@ -154,7 +170,8 @@ function showLegend() {
     add(item, "span", name);
   });
   const f = shownRun.flow, q = f?.quantities[view.flow];
-  if (q) legend(box, `flow at ${"xyz"[f.axis]} = ${quantity(f.at, "m")}: ${q.name}`, q);
+  if (q) legend(box, `flow at ${"xyz"[f.axis]} = ${quantity(f.at, "m")}: ${q.name}`, q, GLASS, view.range);
+  element("range-label").hidden = !q;
   const shown = shownRun.bodies;
   if (shown && shown.times.length < shown.stored) add(box, "span", `${shown.times.length} of ${shown.stored} frames`, "legend");
 }
@@ -171,9 +188,10 @@ function choices(id, labels, chosen) {
 function show(runs) {
   const fresh = !allRuns.length, atEnd = !fresh && now >= end * (1 - 1e-9);
   allRuns = runs; shownRun = runs[0]; several = runs.length > 1;
+  drawn.forEach(panel => panel.remove());
   for (const id of ["checks", "ends", "tasks", "origin", "curves"]) element(id).replaceChildren();
-  showHead(); showChecks(element("checks")); showEnds(element("ends")); showTasks(element("tasks"));
-  showCurves(element("curves"));
+  showHead(); showChecks(element("checks")); showTasks(element("tasks"));
+  showCurves(element("curves")); showEnds(element("ends"));
   showOrigin(element("origin"));
   view.show(runs);
   const colours = (shownRun.bodies?.colours || []).map((c, i) => [String(i), c.name]).concat([["", "body"]]);
@@ -184,10 +202,14 @@ function show(runs) {
   element("no-fields").hidden = shownRun.bodies !== null || shownRun.flow !== null;
   const ends = runs.flatMap(run => [run.bodies?.times.at(-1), run.t?.at(-1), run.flow?.times.at(-1)]).filter(isFinite);
   end = Math.max(...ends, SHORTEST);
-  if (shownRun.field && shownRun.t) shownRun.field.unpacked = unpack(shownRun.field.vectors, Float32Array);
+  const field = shownRun.field;
+  if (field) Object.assign(field, { t: unpack(field.times, Float32Array), unpacked: unpack(field.vectors, Float32Array) });
+  element("fit").hidden = !shownRun.bodies || !(shownRun.box || shownRun.sources.length); element("follow").hidden = !shownRun.bodies;
   showLegend();
   drawn.forEach(panel => panel.differ(element("differ").checked && several));
-  go(fresh ? Number(asked("t") || 0) : atEnd && !playing ? end : now);
+  // A run that goes on is followed; one that has ended begins where it shows most.
+  const first = new URLSearchParams(location.hash.slice(1)).has("t") ? Number(asked("t")) : held.live ? end : shownRun.bodies?.begin ?? end;
+  go(fresh ? first : atEnd && !playing ? end : now);
 }
 
 // report.html#t=0.02&colour=speed&flow=none
@@ -199,19 +221,42 @@ function asked(name, labels) {
 
 function fieldNow() {
   const f = shownRun.field;
-  if (!f || !shownRun.t) return null;
-  let a = 0, b = shownRun.t.length - 1;
-  while (a < b) { const m = (a + b + 1) >> 1; if (shownRun.t[m] <= now * (1 + 1e-9)) a = m; else b = m - 1; }
-  return [0, 1, 2].map(d => f.unpacked[3 * a + d]);
+  if (!f) return null;
+  const row = view.frame(f.t);
+  return [0, 1, 2].map(d => f.unpacked[3 * row + d]);
+}
+
+// The time, or what was varied, in words.
+function nowSaid() {
+  if (!shownRun.load || !shownRun.t) return quantity(now, "s");
+  const { name, unit } = shownRun.load, { t, x } = shownRun;
+  return `${name} ${quantity(at({ t, values: x }, Math.min(t.at(-1), Math.max(t[0], now))), unit)}`;
 }
 
 function go(time) {
   now = end > SHORTEST ? Math.min(end, Math.max(0, time)) : 0;
   view.time = now; view.field = fieldNow();
   element("time").value = now / end;
-  element("now").textContent = quantity(now, "s");
+  element("now").textContent = nowSaid();
+  element("time").setAttribute("aria-valuetext", nowSaid());
   view.draw();
   drawn.forEach(panel => panel.draw(now));
+}
+
+// To the next stored instant, or the one before.
+function step(by) {
+  const times = shownRun.bodies?.times || shownRun.t || [0], slack = 1e-6 * end;
+  go(by > 0 ? times.find(t => t > now + slack) ?? end : [...times].findLast?.(t => t < now - slack) ?? 0);
+}
+
+function aim(at) {
+  view.aim = at; view.reset();
+  element("follow").setAttribute("aria-pressed", at === "follow");
+  view.draw();
+}
+function fit() { // robot, box, all with its magnets, in turns
+  const choices = ["robot", ...(shownRun.box ? ["box"] : []), ...(shownRun.sources.length ? ["all"] : [])];
+  aim(choices[(choices.indexOf(view.aim) + 1) % choices.length]);
 }
 function tick(stamp) {
   if (!playing) return;
@@ -220,11 +265,22 @@ function tick(stamp) {
   go(next > end ? 0 : next);
   requestAnimationFrame(tick);
 }
-element("play").onclick = () => {
+function play() {
   playing = !playing;
   element("play").textContent = playing ? "stop" : "play";
   last = performance.now();
   requestAnimationFrame(tick);
+}
+element("play").onclick = play;
+element("fit").onclick = fit;
+element("follow").onclick = () => aim(view.aim === "follow" ? "robot" : "follow");
+element("filter").oninput = filter;
+element("range").onchange = e => { view.range = Number(e.target.value); showLegend(); view.draw(); };
+const KEYS = { " ": play, ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => go(0), End: () => go(end),
+  f: () => element("follow").click(), "+": () => view.zoomAt(view.width / 2, view.height / 2, 1.25), "-": () => view.zoomAt(view.width / 2, view.height / 2, 0.8) };
+document.onkeydown = e => {
+  if (e.ctrlKey || e.altKey || e.metaKey || /INPUT|SELECT|TEXTAREA/.test(e.target.tagName) || e.key === " " && /BUTTON|SUMMARY/.test(e.target.tagName)) return;
+  if (KEYS[e.key]) { e.preventDefault(); KEYS[e.key](); }
 };
 element("time").oninput = e => go(e.target.value * end);
 element("colour").onchange = e => { view.colour = e.target.value; showLegend(); view.draw(); };
@@ -232,10 +288,11 @@ element("flow").onchange = e => { view.flow = e.target.value; showLegend(); view
 element("differ").onchange = e => drawn.forEach(panel => panel.differ(e.target.checked));
 for (const s of [40, 20, 10, 5]) add(element("pace"), "option", `${s} s in all`).value = s;
 element("pace").value = 10;
-const redraw = () => { drawn.forEach(panel => panel.drawCurves()); showLegend(); go(now); };
-window.onresize = redraw;
-DARK.onchange = redraw;
+for (const part of [1, 0.5, 0.2, 0.1]) add(element("range"), "option", part === 1 ? "all" : share(part)).value = part;
+window.onresize = () => view.draw(); // curves see to themselves
+window.onbeforeprint = () => drawn.forEach(panel => panel.drawCurves());
+DARK.onchange = () => { drawn.forEach(panel => panel.chart && panel.drawCurves()); showLegend(); go(now); };
 // For tests: where a point of the scene [m] is on the view, and the pieces.
-window.magfsi = { go, view, show, MAGNITUDE, SIGNED };
+window.magfsi = { go, view, show, TABLES };
 const held = JSON.parse(element("data").textContent);
 if (Array.isArray(held)) show(held);

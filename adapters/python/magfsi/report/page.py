@@ -4,10 +4,16 @@ import base64
 import hashlib
 import html
 import json
+import os
 from pathlib import Path
 
+from magfsi.report.colours import MAPS, colour_table
+from magfsi.report.fields import packed
+
 HERE = Path(__file__).resolve().parent
-SCRIPTS = ("colours.js", "view.js", "curves.js", "page.js")
+# Debian's libjs-chart.js; the page holds the whole of it.
+CHART = Path(os.environ.get("MAGFSI_CHART_JS", "/usr/share/javascript/chart.js/chart.min.js"))
+SCRIPTS = ("colours.js", "view.js", "sources.js", "curves.js", "panel.js", "page.js")
 
 
 def as_json(value):
@@ -20,10 +26,20 @@ def _hash(text):
     return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
+def _library():
+    try:
+        return CHART.read_text()
+    except OSError as error:
+        raise FileNotFoundError(f"found no {CHART}; Debian's package libjs-chart.js has it, elsewhere "
+                                "the variable MAGFSI_CHART_JS names chart.min.js of Chart.js 3") from error
+
+
 def _filled(title, data, scripts, more_policy=""):
     """Only the page's own script and style act: their hashes are in its policy."""
     style = (HERE / "page.css").read_text()
-    script = "\n" + "\n".join(['"use strict";', *((HERE / name).read_text() for name in scripts)])
+    maps = {kind: packed(colour_table(kind), "u1") for kind in MAPS}
+    script = "\n" + "\n".join(['"use strict";', _library(), f"const MAPS = {json.dumps(maps)};",
+                               *((HERE / name).read_text() for name in scripts)])
     parts = {"TITLE": html.escape(title), "STYLE": style, "SCRIPTS": script, "DATA": data,
              "POLICY": f"style-src {_hash(style)}; script-src {_hash(script)}{more_policy}"}
     template = (HERE / "page.html").read_text()

@@ -3,14 +3,14 @@
 // only sheared, and faces are painted from back to front, those before the slice after it.
 // docs/report.md says why this and not WebGL.
 
-const YAW = -0.35, PITCH = 0.2, SEAM = 0.6; // rad, rad, pixels
+const YAW = -0.35, PITCH = 0.2, SEAM = 0.6, SHARE = 0.6, MOST_EDGES = 1500; // rad, rad, pixels, of the view, faces
 const FIRST_VIEW = [Math.cos(YAW), Math.abs(Math.sin(YAW)), Math.cos(PITCH), Math.sin(PITCH)];
 
 class View {
   constructor(canvas) {
     this.canvas = canvas;
-    this.yaw = YAW; this.pitch = PITCH; this.zoom = 1; this.pan = [0, 0];
-    this.colour = ""; this.flow = ""; this.time = 0;
+    this.aim = "robot"; this.reset();
+    this.colour = ""; this.flow = ""; this.time = 0; this.range = 1;
     this.listen();
   }
 
@@ -19,16 +19,38 @@ class View {
   show(runs) {
     this.runs = runs; this.run = runs[0];
     this.shapes = runs.filter(run => run.bodies).map(run => new Shape(run, runs.indexOf(run)));
-    this.slices = new Map();
+    this.pictured = null;
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     for (const run of runs) {
       const ends = run.box ? [[0, 0, 0], run.box] : run.bodies ? [run.bodies.low, run.bodies.high] : [];
       for (const p of ends) p.forEach((v, d) => { low[d] = Math.min(low[d], v); high[d] = Math.max(high[d], v); });
     }
     this.empty = !(high[0] >= low[0]);
-    this.low = this.empty ? [0, 0, 0] : low; this.high = this.empty ? [1, 1, 1] : high;
-    this.middle = this.low.map((v, d) => (v + this.high[d]) / 2);
-    this.extent = Math.max(Math.hypot(...this.low.map((v, d) => this.high[d] - v)), 1e-9);
+    this.box = this.empty ? [[0, 0, 0], [1, 1, 1]] : [low, high];
+    this.extent = Math.max(Math.hypot(...low.map((v, d) => high[d] - v)), 1e-9);
+    this.sources = runs[0].sources.map(source => new Source(source));
+  }
+
+  reset() { this.yaw = YAW; this.pitch = PITCH; this.zoom = 1; this.pan = [0, 0]; }
+
+  // Lowest and highest corner of what fills the view: the robots over their whole course, the first
+  // one now, the box, or all with the magnets.
+  framed() {
+    const bodies = this.runs.map(run => run.bodies).filter(Boolean);
+    if (this.aim === "follow" && bodies[0]) {
+      const b = bodies[0], i = this.frame(b.times), j = Math.min(i + 1, b.times.length - 1), part = this.part(b.times);
+      const at = b.centres[i].map((v, d) => v + part * (b.centres[j][d] - v));
+      return [at.map(v => v - b.size / 2), at.map(v => v + b.size / 2)];
+    }
+    const parts = this.aim === "robot" && bodies.length ? bodies.map(b => [b.low, b.high]) : [this.box];
+    if (this.aim === "all") for (const source of this.sources) parts.push(source.ends());
+    return [0, 1].map(end => [0, 1, 2].map(d => Math[end ? "max" : "min"](...parts.map(p => p[end][d]))));
+  }
+
+  zoomAt(x, y, factor) { // what is at this place of the view stays there
+    const p = [x - this.width / 2, y - this.height / 2];
+    this.pan = this.pan.map((v, d) => p[d] - (p[d] - v) * factor);
+    this.zoom *= factor; this.draw();
   }
 
   listen() {
@@ -41,13 +63,14 @@ class View {
       const [dx, dy] = [e.clientX - from[0], e.clientY - from[1]], others = [...touching.keys()].filter(k => k !== e.pointerId);
       if (others.length) { // two fingers: their distance
         const o = touching.get(others[0]), far = p => Math.hypot(p[0] - o[0], p[1] - o[1]) || 1;
-        this.zoom *= far([e.clientX, e.clientY]) / far(from);
+        const r = c.getBoundingClientRect();
+        this.zoomAt((o[0] + e.clientX) / 2 - r.x, (o[1] + e.clientY) / 2 - r.y, far([e.clientX, e.clientY]) / far(from));
       } else if (e.shiftKey) { this.pan[0] += dx; this.pan[1] += dy; }
       else { this.yaw -= 0.008 * dx; this.pitch = Math.max(-1.57, Math.min(1.57, this.pitch + 0.008 * dy)); }
       touching.set(e.pointerId, [e.clientX, e.clientY]); this.draw();
     };
-    c.onwheel = e => { e.preventDefault(); this.zoom *= Math.exp(-0.0012 * e.deltaY); this.draw(); };
-    c.ondblclick = () => { this.zoom = 1; this.pan = [0, 0]; this.yaw = YAW; this.pitch = PITCH; this.draw(); };
+    c.onwheel = e => { e.preventDefault(); this.zoomAt(e.offsetX, e.offsetY, Math.exp(-0.0012 * e.deltaY)); };
+    c.ondblclick = () => { this.reset(); this.draw(); };
   }
 
   // Of the stored instants the last that is not after the time.
@@ -57,11 +80,18 @@ class View {
     return a;
   }
 
+  // How far the time is between that instant and the next, from 0 to 1.
+  part(times) {
+    const i = this.frame(times), j = Math.min(i + 1, times.length - 1);
+    return j > i ? Math.max(0, Math.min(1, (this.time - times[i]) / (times[j] - times[i]))) : 0;
+  }
+
   look() {
     const cy = Math.cos(this.yaw), sy = Math.sin(this.yaw), cp = Math.cos(this.pitch), sp = Math.sin(this.pitch);
-    // The box fills its share of the first view; it does not grow and shrink as it turns.
-    const size = this.low.map((v, d) => Math.max(this.high[d] - v, 1e-9)), [cy0, sy0, cp0, sp0] = FIRST_VIEW;
-    const s = this.scale = 0.9 * this.zoom * Math.min(this.width / (cy0 * size[0] + sy0 * size[1]),
+    // What is framed fills its share of the first view; it does not grow and shrink as it turns.
+    const [low, high] = this.framed(), size = low.map((v, d) => Math.max(high[d] - v, 1e-9)), [cy0, sy0, cp0, sp0] = FIRST_VIEW;
+    this.middle = low.map((v, d) => (v + high[d]) / 2);
+    const s = this.scale = SHARE * this.zoom * Math.min(this.width / (cy0 * size[0] + sy0 * size[1]),
       this.height / (sp0 * sy0 * size[0] + sp0 * cy0 * size[1] + cp0 * size[2]));
     const x0 = this.width / 2 + this.pan[0], y0 = this.height / 2 + this.pan[1], [mx, my, mz] = this.middle;
     // Rows: right, down, towards the viewer [pixels].
@@ -81,7 +111,7 @@ class View {
     const context = this.context = c.getContext("2d");
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, this.width, this.height);
-    this.ink = getComputedStyle(c).color;
+    this.ink = getComputedStyle(c).color; this.paper = getComputedStyle(c).backgroundColor;
     if (!this.run || this.empty) return;
     this.look();
     if (this.run.box) this.drawBox();
@@ -92,38 +122,41 @@ class View {
     this.paint(far);
     if (cut) this.drawSlice(cut);
     this.paint(near);
+    for (const source of this.sources) source.draw(this);
     this.drawField(); this.drawAxes(); this.drawScale();
   }
 
   paint(list) {
     list.sort((a, b) => a.depth - b.depth);
     const context = this.context;
-    for (const { style, wire, thin, corners: p } of list) {
+    for (const { style, edge, wire, thin, corners: p } of list) {
       context.beginPath();
       context.moveTo(p[0], p[1]); context.lineTo(p[2], p[3]); context.lineTo(p[4], p[5]); context.lineTo(p[6], p[7]);
       context.closePath();
       if (!wire) { context.fillStyle = style; context.fill(); }
-      if (wire || thin) { context.lineWidth = wire ? 1 : SEAM; context.strokeStyle = style; context.stroke(); }
+      if (wire || thin || edge) { context.lineWidth = wire ? 1 : SEAM; context.strokeStyle = edge || style; context.stroke(); }
     }
   }
 
-  // A picture of each slice, made when it is first seen.
-  slice(flow, number) {
-    const key = `${this.flow} ${number}`;
-    if (this.slices.has(key)) return this.slices.get(key);
-    const q = flow.quantities[this.flow], each = flow.rows * flow.columns, map = mapOf(q);
+  // The slice at the time as a picture, between the stored instants on straight lines.
+  slice(flow) {
+    const q = flow.quantities[this.flow], each = flow.rows * flow.columns, map = mapOf(q), i = this.frame(flow.times);
+    const part = this.part(flow.times), [a, b] = [i, Math.min(i + 1, flow.times.length - 1)].map(n => n * each);
     q.unpacked ||= unpack(q.values, Uint8Array);
-    const picture = document.createElement("canvas");
+    const picture = this.picture ||= document.createElement("canvas"), key = `${this.flow} ${i} ${part} ${this.range} ${DARK.matches}`;
+    if (this.pictured === key) return picture;
+    this.pictured = key;
     picture.width = flow.columns; picture.height = flow.rows;
     const context = picture.getContext("2d"), image = context.createImageData(flow.columns, flow.rows);
+    const pixels = new Uint32Array(image.data.buffer); // low byte first
+    const palette = Uint32Array.from({ length: 256 }, (_, v) => 0xff000000 | map[3 * v + 2] << 16 | map[3 * v + 1] << 8 | map[3 * v]);
+    // What is shown is the part of the range that the viewer chose.
+    const share = 1 / this.range, middle = q.signed ? 127.5 : 0;
     for (let k = 0; k < each; ++k) {
-      const v = q.unpacked[number * each + k], strength = q.signed ? 2 * Math.abs(v - 127.5) : v;
-      image.data[4 * k] = map[3 * v]; image.data[4 * k + 1] = map[3 * v + 1]; image.data[4 * k + 2] = map[3 * v + 2];
-      image.data[4 * k + 3] = Math.min(225, 25 + 3 * strength);
+      const stored = q.unpacked[a + k] + part * (q.unpacked[b + k] - q.unpacked[a + k]);
+      pixels[k] = palette[Math.max(0, Math.min(255, Math.round(middle + share * (stored - middle))))];
     }
     context.putImageData(image, 0, 0);
-    if (this.slices.size > 400) this.slices.clear();
-    this.slices.set(key, picture);
     return picture;
   }
 
@@ -136,12 +169,13 @@ class View {
     const o = corner(0, 0), a = corner(1, 0), b = corner(0, 1), context = this.context;
     context.save();
     context.transform((a[0] - o[0]) / f.columns, (a[1] - o[1]) / f.columns, (b[0] - o[0]) / f.rows, (b[1] - o[1]) / f.rows, o[0], o[1]);
-    context.drawImage(this.slice(f, this.frame(f.times)), 0, 0);
+    context.globalAlpha = GLASS;
+    context.drawImage(this.slice(f), 0, 0);
     context.restore();
   }
 
   drawBox() {
-    const context = this.context, { low, high } = this;
+    const context = this.context, [low, high] = this.box;
     const corner = n => this.project([0, 1, 2].map(d => (n >> d) & 1 ? high[d] : low[d]));
     context.strokeStyle = this.ink; context.globalAlpha = 0.35; context.lineWidth = 1;
     context.beginPath();
@@ -162,6 +196,14 @@ class View {
       if (i) context.lineTo(x, y); else context.moveTo(x, y);
     });
     context.stroke(); context.globalAlpha = 1;
+  }
+
+  // Words on a rim of the paper's colour: the flow behind them has any.
+  write(text, x, y) {
+    const context = this.context, ink = context.strokeStyle;
+    context.strokeStyle = this.paper; context.lineWidth = 4; context.lineJoin = "round";
+    context.strokeText(text, x, y); context.fillText(text, x, y);
+    context.strokeStyle = ink;
   }
 
   arrow(x0, y0, x1, y1, width) {
@@ -190,7 +232,7 @@ class View {
     context.globalAlpha = 0.4; context.lineWidth = 1;
     context.beginPath(); context.arc(62, 62, 46, 0, 7); context.stroke(); context.globalAlpha = 1;
     context.font = "13px system-ui, sans-serif"; context.textAlign = "left"; context.textBaseline = "alphabetic";
-    context.fillText(`B ${quantity(Math.hypot(...this.field), "T")}`, 116, 26);
+    this.write(`B ${quantity(Math.hypot(...this.field), "T")}${this.run.field.at ? ` at ${this.run.field.at}` : ""}`, 116, 26);
   }
 
   drawAxes() {
@@ -200,7 +242,7 @@ class View {
     [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((v, d) => {
       const [x, y] = this.direction(v), long = Math.hypot(x, y), end = 22 + 13 / long; // past the arrow's head
       this.arrow(x0, y0, x0 + 22 * x, y0 + 22 * y, 1.2);
-      if (long > 0.25) context.fillText("xyz"[d], x0 + end * x, y0 + end * y);
+      if (long > 0.25) this.write("xyz"[d], x0 + end * x, y0 + end * y);
     });
   }
 
@@ -211,7 +253,7 @@ class View {
     context.strokeStyle = context.fillStyle = this.ink; context.lineWidth = 2;
     context.beginPath(); context.moveTo(x, y); context.lineTo(this.width - 20, y); context.stroke();
     context.font = "13px system-ui, sans-serif"; context.textAlign = "right"; context.textBaseline = "alphabetic";
-    context.fillText(quantity(length, "m"), this.width - 20, y - 6);
+    this.write(quantity(length, "m"), this.width - 20, y - 6);
   }
 }
 
@@ -229,8 +271,7 @@ class Shape {
 
   // Where the nodes are seen, between the stored instants on straight lines.
   move(view) {
-    const b = this.bodies, n = 3 * b.nodes, i = view.frame(b.times), j = Math.min(i + 1, b.times.length - 1);
-    const part = j > i ? Math.max(0, Math.min(1, (view.time - b.times[i]) / (b.times[j] - b.times[i]))) : 0;
+    const b = this.bodies, n = 3 * b.nodes, i = view.frame(b.times), j = Math.min(i + 1, b.times.length - 1), part = view.part(b.times);
     const p = this.points, [lx, ly, lz] = b.low, at = [0, 0, 0];
     for (let k = 0; k < n; k += 3) {
       const s = i * n + k, e = j * n + k;
@@ -240,7 +281,7 @@ class Shape {
       const q = view.project(at);
       this.seen[k] = q[0]; this.seen[k + 1] = q[1]; this.seen[k + 2] = q[2];
     }
-    this.frame = i;
+    this.frame = i; this.next = j; this.part = part;
   }
 
   // Adds its faces to those before or behind the plane of a slice.
@@ -269,6 +310,7 @@ class Shape {
         c[i] += more * dx; c[i + 1] += more * dy;
       }
       item.depth = depth;
+      item.edge = colour && this.list.length < MOST_EDGES ? "#0004" : ""; // shape, where no light shows it
       item.style = this.number ? line(this.number) : this.style(f, colour);
       (plane && depth < plane(x, y) ? far : near).push(item);
     }
@@ -290,21 +332,23 @@ class Shape {
     };
   }
 
-  // Lit from the viewer: by how far the face looks towards it.
+  // What has a bar of colours has these and no light; plain bodies are lit from the viewer, by how far
+  // the face looks towards it.
   style(f, colour) {
-    const q = this.quads, s = this.seen, a = 3 * q[4 * f], b = 3 * q[4 * f + 1], d = 3 * q[4 * f + 3];
+    const q = this.quads, s = this.seen;
+    if (colour) {
+      const map = mapOf(colour), values = colour.unpacked, faces = q.length / 4;
+      const each = colour.frames > 1 ? colour.of === "faces" ? faces : this.bodies.nodes : 0;
+      const stored = n => values[this.frame * each + n] + this.part * (values[this.next * each + n] - values[this.frame * each + n]);
+      const v = Math.round(colour.of === "faces" ? stored(f) :
+        (stored(q[4 * f]) + stored(q[4 * f + 1]) + stored(q[4 * f + 2]) + stored(q[4 * f + 3])) / 4);
+      return `rgb(${map[3 * v]},${map[3 * v + 1]},${map[3 * v + 2]})`;
+    }
+    const a = 3 * q[4 * f], b = 3 * q[4 * f + 1], d = 3 * q[4 * f + 3];
     const ux = s[b] - s[a], uy = s[b + 1] - s[a + 1], uz = s[b + 2] - s[a + 2];
     const vx = s[d] - s[a], vy = s[d + 1] - s[a + 1], vz = s[d + 2] - s[a + 2];
     const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
     const light = 0.62 + 0.38 * Math.abs(nz) / (Math.hypot(nx, ny, nz) || 1);
-    let red, green, blue;
-    if (colour) {
-      const map = mapOf(colour), values = colour.unpacked, faces = q.length / 4;
-      const start = colour.frames > 1 ? this.frame * (colour.of === "faces" ? faces : this.bodies.nodes) : 0;
-      const v = colour.of === "faces" ? values[start + f] :
-        (values[start + q[4 * f]] + values[start + q[4 * f + 1]] + values[start + q[4 * f + 2]] + values[start + q[4 * f + 3]] + 2) >> 2;
-      red = map[3 * v]; green = map[3 * v + 1]; blue = map[3 * v + 2];
-    } else [red, green, blue] = BODIES[this.body[f] % BODIES.length];
-    return `rgb(${Math.round(light * red)},${Math.round(light * green)},${Math.round(light * blue)})`;
+    return `rgb(${BODIES[this.body[f] % BODIES.length].map(v => Math.round(light * v)).join()})`;
   }
 }
