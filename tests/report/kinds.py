@@ -56,9 +56,9 @@ def diverged():
 
 
 def long_course(run):
-    """A run folder with 10,000 rows of 30 columns and 1,000 frames: what is there of a long run."""
+    """A run folder with 100,000 rows of 30 columns and 1,000 frames: what is there of a long run."""
     folder = Path(testing.new_folder())
-    t = np.linspace(0, 1, 10000)
+    t = np.linspace(0, 1, 100000)
     names = ["t[s]"] + [f"robot.q{i}[m]" for i in range(30)]
     columns = [t] + [np.sin((i + 1) * 6 * t) for i in range(30)]
     np.savetxt(folder / "probes.csv", np.array(columns).T, delimiter=",", header=",".join(names),
@@ -76,4 +76,4 @@ def long_course(run):
 KINDS = {"small swimmer": lambda: swimmer().folder, "structure alone": lambda: structure_alone().folder,
          "without fields": lambda: without_fields().folder, "two robots": lambda: two_robots().folder,
          "diverged": lambda: diverged().folder,
-         "10,000 rows, 1,000 frames": lambda: long_course(swimmer())}
+         "100,000 rows, 1,000 frames": lambda: long_course(swimmer())}

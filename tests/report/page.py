@@ -77,7 +77,8 @@ class Report(unittest.TestCase):
                 self.assertAlmostEqual(middle, ends[f"robot.com_{name}[m]"][row], delta=1e-4)
 
     def test_curves_are_those_of_the_probes(self):
-        columns = {c["name"]: unpacked(c["values"], "f") for c in self.shown["probes"]["columns"]}
+        columns = {c["name"]: c["base"] + np.array(unpacked(c["values"], "f"))
+                   for c in self.shown["probes"]["columns"]}
         expected = self.run_.probes()
         self.assertEqual(set(columns), set(expected))
         for found, right in zip(columns["robot.com_z[m]"], expected["robot.com_z[m]"]):
@@ -136,7 +137,7 @@ class Others(unittest.TestCase):
         from magfsi.report import data
         columns = {"t[s]": [1e-3 * i for i in range(50000)], "a[m]": [0.0] * 50000}
         columns["a[m]"][31234] = 1.0
-        shown = data.probes(columns)
+        shown = data.probes(columns, data.rows_shown(columns))
         self.assertLessEqual(shown["rows"], data.MOST_ROWS)
         self.assertEqual(max(unpacked(shown["columns"][1]["values"], "f")), 1.0)
 

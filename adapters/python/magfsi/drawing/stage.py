@@ -17,7 +17,7 @@ from magfsi.drawing import actors
 from magfsi.report import data, fields
 
 YAW, PITCH = -0.35, 0.2  # of the page's view (report/view.js)
-SHARE_OF_VIEW = 0.6
+SHARE_OF_VIEW = 0.85
 ROOM = 20e6  # bytes of fields: a film has more of them than a page
 PAPER, INK, FIELD = (0.957, 0.957, 0.957), (0.1, 0.1, 0.1), (0.63, 0.29, 0.0)
 

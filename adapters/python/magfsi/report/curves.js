@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which curves there are of the probes, what each is, and what is no curve: constants and rounding.
 
-const ROUNDING = 1e-9; // of the largest value beside it
+const ROUNDING = 1e-6; // of the largest value on the same axis: no eye sees less
 const NOTHING = 1e-12; // of a quantity without unit: two sums of the same terms differ by as much
 
 // What the last word of a column says (docs/probes.md).
@@ -37,13 +37,15 @@ function spread(values) { // [lowest, highest]
   return [low, high];
 }
 
+const largest = values => Math.max(0, ...spread(values).filter(isFinite).map(Math.abs));
+
 // What lines are drawn over: what was varied, where all runs have it, else the time.
 function axisOf(runs) {
   const name = runs[0].load?.name;
   return name && runs.every(run => run.load?.name === name) ? { ...runs[0].load, of: run => run.x } : { name: "time", unit: "s", of: run => run.t };
 }
 
-// {panels: Map of lines by key, constants: [[words, run number]]}. Columns that differ by x, y, z only stand
+// {panels: Map of lines by key, constants: [{r: run number, name, value: "" for zero}]}. Columns that differ by x, y, z only stand
 // together. Places are from the start: what is drawn of a point is its displacement.
 function panels(allRuns) {
   const found = new Map(), constants = [];
@@ -53,22 +55,25 @@ function panels(allRuns) {
     run.t = run.probes.columns.find(c => c.name === "t[s]").line;
     if (run.load) run.x ||= unpack(run.load.values, Float32Array);
     const names = new Set(run.probes.columns.map(c => c.name)), groups = new Map();
-    for (const { name, line, base } of run.probes.columns) {
+    for (const { name, line, base = 0 } of run.probes.columns) {
       if (name === "t[s]") continue;
       const [key, part] = keyed(name), beside = name.replace(/_([xyz])\[/, "_u$1[");
       if (beside !== name && names.has(beside)) continue;
-      const place = part !== "" && unitOf(name) === "m" && !/_u\[/.test(key), values = place || !base ? line : line.map(v => v + base);
+      const place = part !== "" && unitOf(name) === "m" && !/[._]u\[/.test(key), values = place || !base ? line : line.map(v => v + base);
       if (!groups.has(key)) groups.set(key, []);
-      groups.get(key).push({ run, r, part, values, t: run.t, name, key, place });
+      groups.get(key).push({ run, r, part, values, t: run.t, name, key, place, size: largest(values) + (place ? Math.abs(base) : 0) });
     }
-    for (const [key, lines] of groups) {
-      const scale = Math.max(...lines.map(l => Math.max(...spread(l.values).map(Math.abs))), 0), unit = unitOf(key);
-      const curves = lines.filter(l => {
-        const [low, high] = spread(l.values), own = l.part || unit !== "1" ? scale : Math.max(scale, NOTHING / ROUNDING);
-        // Single precision keeps seven digits of the value itself.
-        return high - low > Math.max(ROUNDING * own, 3e-7 * Math.max(Math.abs(low), Math.abs(high)));
+    for (const [key, all] of groups) {
+      const unit = unitOf(key), scale = Math.max(...all.map(l => l.size), unit === "1" ? NOTHING / ROUNDING : 0);
+      // A field along x is its x: one curve.
+      const whole = all.find(l => !l.part), again = l => l.part && whole && l.values.every((v, i) => Math.abs(v - whole.values[i]) <= ROUNDING * scale);
+      const lines = all.filter(l => !again(l)), curves = lines.filter(l => {
+        const [low, high] = spread(l.values);
+        // Of a place, rounding is that of the place; single precision keeps seven digits.
+        return high - low > Math.max((l.place ? 1e-9 : ROUNDING) * scale, 3e-7 * largest(l.values));
       });
-      for (const l of lines) if (!curves.includes(l)) constants.push([`${plain(l.name)} ${quantity(Math.abs(l.values[0]) > ROUNDING * scale && !(unit === "1" && scale < NOTHING) ? l.values[0] : 0, unit)}`, r]);
+      for (const l of lines) if (!curves.includes(l)) constants.push({ r, name: `${l.place ? "Δ " : ""}${plain(l.name)}`,
+        value: Math.abs(l.values[0]) > ROUNDING * scale ? quantity(l.values[0], unit) : "" });
       if (curves.length) found.set(key, [...(found.get(key) || []), ...curves]);
     }
   });

@@ -135,6 +135,7 @@ def load(scene, columns, rows):
     if field is not None and len(plane) == 2:
         first, second = (field[rows, AXES.index(axis)] for axis in plane)
         angle = np.degrees(np.unwrap(np.arctan2(second, first)))
+        angle -= 360 * np.floor(angle.min() / 360 + ROUNDING)
         if rises(angle):
             return {"name": f"direction of the field in {plane}", "unit": "deg",
                     "values": packed(angle, "<f4")}

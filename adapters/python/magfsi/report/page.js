@@ -45,7 +45,7 @@ function showEnds(box) {
   const first = allRuns[0], common = Math.min(...allRuns.map(run => run.t.at(-1)));
   const where = axis.name === "time" ? quantity(common, "s") : `${axis.name} ${quantity(at({ t: first.t, values: first.x }, common), axis.unit)}`;
   add(box, "h2", `Values at ${where}, the last that all runs have`);
-  if (allRuns.some(run => run.t.at(-1) > common * (1 + 1e-6))) add(box, "p", `The runs end at ${allRuns.map(run => quantity(run.t.at(-1), "s")).join(", ")}.`, "grey");
+  if (allRuns.some(run => run.t.at(-1) > common * (1 + 1e-6))) add(box, "p", `The runs end at ${allRuns.map(run => axis.name === "time" ? quantity(run.t.at(-1), "s") : quantity(run.x.at(-1), axis.unit)).join(", ")}.`, "grey");
   const rows = add(add(box, "div", undefined, "wide"), "table"), head = add(rows, "tr");
   for (const text of ["", ...allRuns.map(runName), ...allRuns.slice(1).map((_, i) => `${i + 2} less 1 (of the largest)`)]) add(head, "th", text);
   for (const lines of panels(allRuns).panels.values()) for (const mine of lines.filter(l => l.r === 0)) {
@@ -127,9 +127,12 @@ function showCurves(box) {
   if (!drawn.length) add(box, "p", "none: the scene has no probes", "grey");
   element("differ-label").hidden = !several;
   element("filter-label").hidden = drawn.length < 4;
-  const listed = several ? allRuns.map((run, r) => `${r + 1}: ${constants.filter(([, of]) => of === r).map(([words]) => words).join(", ")}`) :
-    [constants.map(([words]) => words).join(", ")];
-  element("constants").textContent = constants.length ? `constant: ${listed.join("; ")}` : "";
+  const said = some => {
+    const zero = some.filter(c => !c.value).map(c => c.name), other = some.filter(c => c.value).map(c => `${c.name} ${c.value}`);
+    return [other.length ? `constant: ${other.join(", ")}` : "", zero.length ? `zero: ${zero.join(", ")}` : ""].filter(Boolean).join("; ");
+  };
+  element("constants").textContent = allRuns.map((run, r) => said(constants.filter(c => c.r === r)))
+    .map((text, r) => several && text ? `${r + 1}: ${text}` : text).filter(Boolean).join(" | ");
   filter();
 }
 

@@ -66,7 +66,8 @@ class Panel {
   // A magnitude beside its components is none of them; one with a sign says so.
   label({ r, part, values, name }) {
     const whole = !part && this.all.some(l => l.part) ? spread(values)[0] < 0 ? "with its sign" : "magnitude" : "";
-    return [this.several ? String(r + 1) : "", part || whole || (this.several ? "" : plain(name))].filter(Boolean).join(" ");
+    const alone = !part && !whole || this.all.filter(l => l.r === r).length === 1; // beside no other of its run
+    return [this.several ? String(r + 1) : "", alone ? (this.several ? "" : plain(name)) : part || whole].filter(Boolean).join(" ");
   }
 
   // The first run's time at a place of the axis.
@@ -90,7 +91,7 @@ class Panel {
     const axis = (title, more) => ({ grid: { color: grid, drawBorder: false }, ticks: { color: ink, maxRotation: 0, includeBounds: false, autoSkipPadding: 12, callback: number, ...more },
       title: { display: title !== "", text: title, color: ink, padding: 0 } });
     const one = this.xUnit === "1" ? "" : ` ${this.xUnit}`, y = this.unit === "1" ? "" : ` ${this.unit}`;
-    this.chart = new Chart(this.canvas, { type: "line", data: { datasets }, plugins: [PAPER, { id: "cursor", afterRender: () => this.draw(this.time) }], options: {
+    this.chart = new Chart(this.canvas, { type: "line", data: { datasets }, plugins: [PAPER, { id: "cursor", afterDraw: () => this.draw(this.time) }], options: {
       animation: false, parsing: false, maintainAspectRatio: false, events: ["mousemove", "mouseout", "click", "touchstart", "touchmove"],
       interaction: { mode: "ofEach", intersect: false }, layout: { padding: { top: 6, right: 12 } },
       plugins: { legend: { display: !single, align: "end", labels: { color: ink, usePointStyle: true, pointStyle: "line", boxWidth: 22, padding: 6 } },
@@ -98,6 +99,7 @@ class Panel {
           label: item => `${item.dataset.label} ${number(item.parsed.y)}${y}` } } },
       scales: { x: { type: "linear", min: this.xFactor * this.x[0], max: this.xFactor * this.x[1], ...axis(`${this.axis.name}${one && ` [${this.xUnit}]`}`) },
         y: axis("", { maxTicksLimit: 6 }) } } });
+    this.draw(this.time);
   }
 
   draw(time) {

@@ -49,7 +49,7 @@ class Source {
     }
     // Towards it, from the middle of the view to just before its edge.
     const [mx, my] = [view.width / 2, view.height / 2], [dx, dy] = [x - mx, y - my];
-    const reach = Math.min((mx - 26) / Math.max(1e-9, Math.abs(dx)), (my - 60) / Math.max(1e-9, Math.abs(dy)));
+    const reach = Math.min((mx - 26) / Math.max(1e-9, Math.abs(dx)), (my - 140) / Math.max(1e-9, Math.abs(dy)));
     const [ex, ey] = [mx + reach * dx, my + reach * dy], long = Math.hypot(dx, dy);
     view.arrow(ex - 22 * dx / long, ey - 22 * dy / long, ex, ey, 2);
     const away = Math.hypot(...this.place([0, 0, 0], i, part).map((v, d) => v - view.middle[d]));

@@ -3,7 +3,7 @@
 // only sheared, and faces are painted from back to front, those before the slice after it.
 // docs/report.md says why this and not WebGL.
 
-const YAW = -0.35, PITCH = 0.2, SEAM = 0.6, SHARE = 0.6, MOST_EDGES = 1500; // rad, rad, pixels, of the view, faces
+const YAW = -0.35, PITCH = 0.2, SEAM = 0.6, SHARE = 0.85, MOST_EDGES = 1500; // rad, rad, pixels, of the view, faces
 const FIRST_VIEW = [Math.cos(YAW), Math.abs(Math.sin(YAW)), Math.cos(PITCH), Math.sin(PITCH)];
 
 class View {
