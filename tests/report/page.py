@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from magfsi import runs, testing
-from magfsi.report import data
+from magfsi.report import data, sources
 
 FIELDS = {"time.end": "2 ms", "output.structure.every": "0.5 ms",
           "output.fluid": "{every: 1 ms, fields: [velocity]}"}
@@ -108,6 +108,42 @@ class Facts(unittest.TestCase):
             self.assertTrue(closed(side), side)
 
 
+class Sources(unittest.TestCase):
+    """The field that the page shows, against closed forms on the axis; laws of motion at known times."""
+
+    def field(self, source, at, time=0.0):
+        full = {"position": [0.0, 0.0, 0.0], **source}
+        scene = {"magnetic_field": {"sources": {"a": full}}}
+        return sources.of_scene(scene, np.array([time]), np.array([at], float))[2][0]
+
+    def test_magnets_and_coils(self):
+        radius, length, z = 0.01, 0.02, 0.03
+        cylinder = {"diameter": 2 * radius, "height": length, "axis": [0, 0, 1], "remanence": [0, 0, 1.2]}
+        right = 0.6 * sum(s * (z + s * length / 2) / np.hypot(z + s * length / 2, radius) for s in (-1, 1))
+        # Cut into a thousand dipoles, two of its radii away from its face.
+        np.testing.assert_allclose(self.field({"cylinder": cylinder}, [0, 0, z]), [0, 0, right], rtol=0.01, atol=1e-6)
+        loop = {"diameter": 0.2, "axis": [1, 0, 0], "current": 2.0, "turns": 50}
+        right = 4e-7 * np.pi * 100 * 0.1**2 / 2 / np.hypot(0.1, 0.05)**3
+        # A polygon of 96 sides.
+        np.testing.assert_allclose(self.field({"coil": loop}, [0.05, 0, 0]), [right, 0, 0], rtol=2e-3, atol=1e-12)
+        pair = {**loop, "distance": 0.1, "opposed": False}
+        right = 0.8**1.5 * 4e-7 * np.pi * 100 / 0.1
+        np.testing.assert_allclose(self.field({"coil_pair": pair}, [0, 0, 0]), [right, 0, 0], rtol=2e-3, atol=1e-12)
+        self.assertLess(np.abs(self.field({"coil_pair": {**pair, "opposed": True}}, [0, 0, 0])).max(), 1e-12)
+
+    def test_laws_of_time(self):
+        dipole = {"dipole": {"moment": [0.0, 0.0, 1.0]}}
+        on_axis = 2e-7 / 0.1**3
+        moved = {**dipole, "motion": {"ramp": {"displacement": [0.0, 0.0, 0.1], "duration": 2.0}}}
+        np.testing.assert_allclose(self.field(moved, [0, 0, 0.2], 2.0), [0, 0, on_axis])
+        turned = {**dipole, "turning": {"axis": [0, 1, 0], "frequency": 0.25}}  # z to x in a second
+        np.testing.assert_allclose(self.field(turned, [0.1, 0, 0], 1.0), [on_axis, 0, 0], atol=1e-12)
+        half = {**dipole, "strength": {"table": {"time": [0.0, 2.0], "factor": [0.0, 1.0], "repeat": False}}}
+        np.testing.assert_allclose(self.field(half, [0, 0, 0.1], 1.0), [0, 0, on_axis / 2])
+        unknown = {**dipole, "strength": {"formula": "sin(t)"}}
+        self.assertTrue(np.isnan(self.field(unknown, [0, 0, 0.1])).all())
+
+
 class Others(unittest.TestCase):
     def test_without_fluid_or_fields_diverged_and_two(self):
         bare = testing.good_run(testing.SMALL, {
@@ -134,7 +170,6 @@ class Others(unittest.TestCase):
         self.assertEqual((len(part["times"]), part["times"][-1]), (3, whole["times"][-1]))
 
     def test_a_peak_of_one_row_is_not_lost(self):
-        from magfsi.report import data
         columns = {"t[s]": [1e-3 * i for i in range(50000)], "a[m]": [0.0] * 50000}
         columns["a[m]"][31234] = 1.0
         shown = data.probes(columns, data.rows_shown(columns))

@@ -115,7 +115,7 @@ class Source:
 class Handler(http.server.BaseHTTPRequestHandler):
     server_version, sys_version, protocol_version = "magfsi", "", "HTTP/1.1"
     timeout = 60
-    source, token, title = None, "", ""
+    source, token, page = None, "", b""
 
     def answer(self, code, body=b"", kind="text/plain; charset=utf-8", **more):
         self.send_response(code)
@@ -147,7 +147,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         address = urllib.parse.urlsplit(self.path)
         path = urllib.parse.unquote(address.path).lstrip("/").partition("/")[2]
         if path == "":
-            self.answer(200, page.live(self.title).encode(), "text/html; charset=utf-8")
+            self.answer(200, self.page, "text/html; charset=utf-8")
         elif path == "data.json":
             self.send_data(urllib.parse.parse_qs(address.query).get("known", [""])[0])
         elif path.startswith("files/"):
@@ -190,7 +190,7 @@ def serve(folder, port):
     token = secrets.token_urlsafe(24)
     name = data.read_json(folder / "scene.json", {}).get("name", folder.name)
     handler = type("Bound", (Handler,), {"source": Source(folder), "token": token,
-                                         "title": str(name)})
+                                         "page": page.live(str(name)).encode()})
     server = http.server.ThreadingHTTPServer(("127.0.0.1", port), handler)
     server.daemon_threads = True
     return server, f"http://127.0.0.1:{server.server_port}/{token}/"

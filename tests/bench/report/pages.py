@@ -14,7 +14,7 @@ import browser  # noqa: E402
 import kinds  # noqa: E402
 from magfsi import gallery  # noqa: E402
 
-OPENS_IN_S, FRAMES_A_S = 3, 20
+OPENS_IN_S, FRAMES_A_S = 1, 20
 PLAYED = 100  # frames
 
 

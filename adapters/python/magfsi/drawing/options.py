@@ -31,7 +31,8 @@ def parser(program, description, look, default_size):
     options.add_argument("--flow", default="speed", help="speed, vorticity, pressure or none")
     options.add_argument("--levels", help="of vortices, up to three, in 1/s, rising: 60,150,300",
                          type=lambda text: [float(level) for level in text.split(",")])
-    options.add_argument("--zoom", type=float, default=1.0, help="1 shows the whole box")
+    options.add_argument("--zoom", type=float, default=1.0, help="1 shows the bodies over their whole course (page) "
+                         "or the whole box (picture)")
     return options
 
 

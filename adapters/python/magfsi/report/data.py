@@ -91,8 +91,8 @@ def field_and_sources(scene, columns, rows, found):
     drawn, courses = [], {}
     if scene.get("magnetic_field", {}).get("sources") and found and len(times):
         at = np.stack([np.interp(times, found["times"], c) for c in np.array(found["centres"]).T], 1)
-        made, more = sources.of_scene(scene, times, at)
-        drawn = [seen_source(source, times) for source in made]
+        made, missing, more = sources.of_scene(scene, times, at)
+        drawn = [seen_source(source, times) for source in made] + [{"missing": name} for name in missing]
         vectors = more if vectors is None else vectors + more
         if columns and np.isfinite(vectors).all():
             courses = {f"field_at_{found['names'][0]}_{axis}[T]": vectors[:, a]

@@ -175,6 +175,7 @@ function showLegend() {
   const f = shownRun.flow, q = f?.quantities[view.flow];
   if (q) legend(box, `flow at ${"xyz"[f.axis]} = ${quantity(f.at, "m")}: ${q.name}`, q, GLASS, view.range);
   element("range-label").hidden = !q;
+  for (const { missing } of shownRun.sources) if (missing) add(box, "span", `${missing}: not drawn, for it follows a formula or a file`, "legend");
   const shown = shownRun.bodies;
   if (shown && shown.times.length < shown.stored) add(box, "span", `${shown.times.length} of ${shown.stored} frames`, "legend");
 }
@@ -207,7 +208,7 @@ function show(runs) {
   end = Math.max(...ends, SHORTEST);
   const field = shownRun.field;
   if (field) Object.assign(field, { t: unpack(field.times, Float32Array), unpacked: unpack(field.vectors, Float32Array) });
-  element("fit").hidden = !shownRun.bodies || !(shownRun.box || shownRun.sources.length); element("follow").hidden = !shownRun.bodies;
+  element("fit").hidden = !shownRun.bodies || !(shownRun.box || view.sources.length); element("follow").hidden = !shownRun.bodies;
   showLegend();
   drawn.forEach(panel => panel.differ(element("differ").checked && several));
   // A run that goes on is followed; one that has ended begins where it shows most.
@@ -258,7 +259,7 @@ function aim(at) {
   view.draw();
 }
 function fit() { // robot, box, all with its magnets, in turns
-  const choices = ["robot", ...(shownRun.box ? ["box"] : []), ...(shownRun.sources.length ? ["all"] : [])];
+  const choices = ["robot", ...(shownRun.box ? ["box"] : []), ...(view.sources.length ? ["all"] : [])];
   aim(choices[(choices.indexOf(view.aim) + 1) % choices.length]);
 }
 function tick(stamp) {

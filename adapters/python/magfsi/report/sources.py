@@ -187,14 +187,15 @@ def one(name, source, t, at):
 
 
 def of_scene(scene, t, at):
-    """(what is drawn, the sum of the fields) at these times and places; without the field where a
-    law is not known."""
-    drawn, whole = [], np.zeros((len(t), 3))
+    """(what is drawn, the names of what cannot be, the sum of the fields) at these times and places;
+    without the field where a law is not known."""
+    drawn, missing, whole = [], [], np.zeros((len(t), 3))
     for name, source in scene.get("magnetic_field", {}).get("sources", {}).items():
         try:
             source_drawn, field = one(name, source, t, at)
             drawn.append(source_drawn)
             whole = whole + field
         except NotKnown:
+            missing.append(name)
             whole = np.full((len(t), 3), np.nan)
-    return drawn, whole
+    return drawn, missing, whole

@@ -28,7 +28,7 @@ class View {
     this.empty = !(high[0] >= low[0]);
     this.box = this.empty ? [[0, 0, 0], [1, 1, 1]] : [low, high];
     this.extent = Math.max(Math.hypot(...low.map((v, d) => high[d] - v)), 1e-9);
-    this.sources = runs[0].sources.map(source => new Source(source));
+    this.sources = runs[0].sources.filter(source => !source.missing).map(source => new Source(source));
   }
 
   reset() { this.yaw = YAW; this.pitch = PITCH; this.zoom = 1; this.pan = [0, 0]; }
