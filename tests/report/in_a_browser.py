@@ -118,10 +118,12 @@ class Looked(unittest.TestCase):
         boxes = self.browser.run("""(() => {
           const all = [], old = CanvasRenderingContext2D.prototype.fillText;
           CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
-            const m = this.measureText(text), w = m.width, right = { left: 0, center: 0.5, right: 1 }[this.textAlign], by = this.getTransform();
+            const m = this.measureText(text), w = m.width, by = this.getTransform();
+            const right = { left: 0, center: 0.5, right: 1 }[this.textAlign];
             x += by.e; y += by.f;
             all.push([this.canvas.parentElement.parentElement.dataset.panel || "view", text,
-                      x - right * w, x + (1 - right) * w, y - m.actualBoundingBoxAscent, y + m.actualBoundingBoxDescent]);
+                      x - right * w, x + (1 - right) * w,
+                      y - m.actualBoundingBoxAscent, y + m.actualBoundingBoxDescent]);
             return old.call(this, text, x - by.e, y - by.f);
           };
           drawn.forEach(panel => { if (!panel.chart) panel.drawCurves(); });
@@ -164,7 +166,8 @@ class Looked(unittest.TestCase):
                  "deutan": np.array([[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413],
                                      [-0.011820, 0.042940, 0.968881]])}
         self.open(self.page)
-        tables = self.browser.run("Object.fromEntries(Object.entries(magfsi.TABLES).map(([k, t]) => [k, Array.from(t)]))")
+        tables = self.browser.run("Object.fromEntries(Object.entries(magfsi.TABLES)"
+                                  ".map(([kind, table]) => [kind, Array.from(table)]))")
         self.assertEqual(set(tables), {"magnitude", "signed", "flow"})
         for name, values in tables.items():
             rgb = np.array(values).reshape(256, 3)
@@ -213,9 +216,10 @@ class Looked(unittest.TestCase):
     def test_magnitude_and_components_differ(self):
         """A field that changes its sign: three lines, no two of the same colour and dashes; the one with
         the sign does not call itself a magnitude."""
-        run = testing.good_run(testing.SMALL, {"time.end": "1 ms", "fluid": "", "probes": "{every: 0.1 ms, bodies: [com]}",
-                                               "magnetic_field": "{plane: xz, table: {time: [0 ms, 1 ms], "
-                                               "magnitude: [-17 mT, 17 mT], direction: 30 deg}}"})
+        run = testing.good_run(testing.SMALL, {
+            "time.end": "1 ms", "fluid": "", "probes": "{every: 0.1 ms, bodies: [com]}",
+            "magnetic_field": "{plane: xz, table: {time: [0 ms, 1 ms], magnitude: [-17 mT, 17 mT], "
+                              "direction: 30 deg}}"})
         self.open(kinds.page(run.folder))
         drawn = self.browser.run("""(() => { const p = drawn.find(p => p.name === "field[T]");
           p.drawCurves(); return p.chart.data.datasets.map(d => [d.label, `${d.borderColor} ${d.borderDash}`]); })()""")

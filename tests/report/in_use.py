@@ -17,6 +17,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 BEAM = testing.ROOT / "tutorials/beam"
 COARSE = {"bodies.beam.mesh.box.elements": "[9, 2, 1]", "probes.every": "25 ms", "output.structure.every": "25 ms"}
 NOW = "document.getElementById('now').textContent"
+PLACE = "(({x, y, width, height}) => [x, y, width, height])(%s.getBoundingClientRect())"
 PANEL = "drawn.find(p => p.name === '%s')"
 
 
@@ -41,13 +42,16 @@ class InUse(unittest.TestCase):
         for kind in ("keyDown", "keyUp"):
             self.browser("Input.dispatchKeyEvent", type=kind, key=key, **({"text": key} if len(key) == 1 else {}))
 
+    def until(self, true):
+        self.browser.run("new Promise(done => { (function look() { "
+                         f"if ({true}) done(); else setTimeout(look, 10); }})(); }})")
+
     def to_sight(self, panel):
         """Until its curves are drawn; returns where its canvas is."""
         self.browser.run(f"{PANEL % panel}.figure.scrollIntoView({{block: 'center'}})")
-        self.browser.run(f"new Promise(done => {{ const look = () => {PANEL % panel}.chart ? requestAnimationFrame(done) "
-                         ": setTimeout(look, 10); look(); })")
-        return self.browser.run(f"(({{x, y, width, height}}) => [x, y, width, height])({PANEL % panel}"
-                                ".canvas.getBoundingClientRect())")
+        self.until(f"{PANEL % panel}.chart")
+        self.browser.run("new Promise(requestAnimationFrame)")
+        return self.browser.run(PLACE % (PANEL % panel + ".canvas"))
 
     def button(self, name):
         return self.browser.run(f"document.getElementById('{name}').click()")
@@ -71,7 +75,7 @@ class InUse(unittest.TestCase):
         x, y, w, h = self.to_sight("robot.com[m]")
         self.browser("Input.dispatchMouseEvent", type="mouseMoved", x=x + 0.6 * w, y=y + 0.5 * h)
         tip = f"{PANEL % 'robot.com[m]'}.chart.tooltip"
-        self.browser.run(f"new Promise(done => {{ const look = () => {tip}.opacity ? done() : setTimeout(look, 10); look(); }})")
+        self.until(f"{tip}.opacity")
         titles, lines = self.browser.run(f"[{tip}.title, {tip}.body.map(b => b.lines[0])]")
         probes = self.swimmer.probes()
         row = int(np.abs(np.array(probes["t[s]"]) - float(titles[0].split()[1]) * 1e-3).argmin())
@@ -89,7 +93,8 @@ class InUse(unittest.TestCase):
         self.to_sight("robot.end_to_end[m]")
         self.browser("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
         for kind in ("csv", "svg", "png"):
-            self.browser.run(f"{PANEL % 'robot.end_to_end[m]'}.figure.querySelector('button[title=\"save as {kind.upper()}\"]').click()")
+            self.browser.run(f"{PANEL % 'robot.end_to_end[m]'}.figure"
+                             f".querySelector('button[title=\"save as {kind.upper()}\"]').click()")
             file = folder / f"robot.end_to_end.{kind}"
             self.assertTrue(testing.wait_until(file.exists, self.browser.process))
         rows = list(csv.reader((folder / "robot.end_to_end.csv").read_text().splitlines()))
@@ -97,7 +102,8 @@ class InUse(unittest.TestCase):
         self.assertEqual(rows[0], ["t[s]", "robot.end_to_end[m]"])
         for column, name in enumerate(rows[0]):  # single precision
             np.testing.assert_allclose([float(row[column]) for row in rows[1:]], probes[name], rtol=2e-7, atol=1e-12)
-        lines = xml.etree.ElementTree.parse(folder / "robot.end_to_end.svg").iter("{http://www.w3.org/2000/svg}polyline")
+        drawing = xml.etree.ElementTree.parse(folder / "robot.end_to_end.svg")
+        lines = drawing.iter("{http://www.w3.org/2000/svg}polyline")
         self.assertEqual([len(line.get("points").split()) for line in lines], [len(probes["t[s]"])])
         self.assertGreater(pixels((folder / "robot.end_to_end.png").read_bytes()).std(), 5)
 
@@ -131,8 +137,7 @@ class InUse(unittest.TestCase):
     def test_follows_the_robot(self):
         self.open(self.swimmer.folder, fragment="#colour=body&flow=none")
         self.button("follow")
-        x, y, w, h = (round(v) for v in self.browser.run(
-            "(({x, y, width, height}) => [x, y, width, height])(document.getElementById('view').getBoundingClientRect())"))
+        x, y, w, h = (round(v) for v in self.browser.run(PLACE % "document.getElementById('view')"))
         for time in (0, 0.002):
             self.browser.run(f"magfsi.go({time})")
             seen = np.nonzero(orange(pixels(self.browser.picture()))[y + 120:y + h])
@@ -143,9 +148,11 @@ class InUse(unittest.TestCase):
         self.assertEqual(self.browser.run("magfsi.view.aim"), "box")
 
     def test_two_runs_of_different_length_at_the_same_instant(self):
-        short = testing.good_run(BEAM, {**COARSE, "time.end": "200 ms", "bodies.beam.material.shear_modulus": "250 kPa"})
+        short = testing.good_run(BEAM, {**COARSE, "time.end": "200 ms",
+                                        "bodies.beam.material.shear_modulus": "250 kPa"})
         self.open(self.beam.folder, short.folder)
-        rows = self.browser.run("[...document.querySelectorAll('#ends tr')].map(r => [...r.children].map(c => c.textContent))")
+        rows = self.browser.run("[...document.querySelectorAll('#ends tr')]"
+                                ".map(r => [...r.children].map(c => c.textContent))")
         said = self.browser.run("document.getElementById('ends').textContent")
         self.assertIn("26.4 mT", said)  # 132 mT/s until 200 ms, where the shorter one ends
         first, second = self.beam.probes(), short.probes()
@@ -176,8 +183,10 @@ class InUse(unittest.TestCase):
 
     def test_a_magnet_and_its_field_at_the_body(self):
         magnet = "{sources: {magnet: {dipole: {moment: [0 A m2, 0 A m2, 30 A m2]}, position: [40 mm, 2.5 mm, 200 mm]}}}"
-        run = testing.good_run(BEAM, {**COARSE, "time.end": "25 ms", "magnetic_field": magnet, "bodies.beam.material.shear_modulus": "33 MPa",
-                                      "bodies.beam.material.lame_lambda": "660 MPa", "probes.bodies": "[magnetic_load]"})
+        run = testing.good_run(BEAM, {**COARSE, "time.end": "25 ms", "magnetic_field": magnet,
+                                      "bodies.beam.material.shear_modulus": "33 MPa",
+                                      "bodies.beam.material.lame_lambda": "660 MPa",
+                                      "probes.bodies": "[magnetic_load]"})
         self.open(run.folder)
         # The body as a whole is a dipole M V along x: its torque about y is -M V B_z. The field varies over
         # its length, 17.5 mm of 200 mm: (0.04)^2 times a few.
@@ -203,7 +212,7 @@ class InUse(unittest.TestCase):
         for y in range(280, 80, -20):
             self.browser("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": 200, "y": y}])
         self.browser("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-        self.browser.run("new Promise(done => { const look = () => scrollY > 100 ? done() : setTimeout(look, 10); look(); })")
+        self.until("scrollY > 100")
         self.browser("Emulation.setTouchEmulationEnabled", enabled=False)
 
     def test_what_the_bar_says_is_what_is_drawn(self):
@@ -211,10 +220,11 @@ class InUse(unittest.TestCase):
         for dark in (False, True):
             self.open(self.swimmer.folder, fragment="#t=0.002&colour=body&flow=speed", dark=dark)
             self.button("fit")
-            corner = self.browser.run("(() => { const f = shownRun.flow, p = magfsi.view.project([f.origin[0] + 0.03 * f.size[0], f.at,"
-                                      "f.origin[1] + 0.97 * f.size[1]]), r = magfsi.view.canvas.getBoundingClientRect(); return [r.x + p[0], r.y + p[1]]; })()")
-            x, y, w, h = self.browser.run("(({x, y, width, height}) => [x, y, width, height])"
-                                          "([...document.querySelectorAll('.map')].at(-1).getBoundingClientRect())")
+            corner = self.browser.run("""(() => {
+              const f = shownRun.flow, r = magfsi.view.canvas.getBoundingClientRect();
+              const p = magfsi.view.project([f.origin[0] + 0.03 * f.size[0], f.at, f.origin[1] + 0.97 * f.size[1]]);
+              return [r.x + p[0], r.y + p[1]]; })()""")
+            x, y, w, h = self.browser.run(PLACE % "[...document.querySelectorAll('.map')].at(-1)")
             picture = pixels(self.browser.picture())
             drawn, bar = picture[round(corner[1]), round(corner[0])], picture[round(y + h / 2), round(x) + 1]
             # The bar's first colours are blended.

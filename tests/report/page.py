@@ -228,14 +228,18 @@ class Others(unittest.TestCase):
     def test_vorticity_is_the_curl_of_a_known_flow(self):
         """Without stored vorticity it comes from the slice's velocities: that of a rotation is
         twice its rate."""
-        from magfsi.report.fields import Level
+        from magfsi.report.fields import Level, arrows
         level = Level.__new__(Level)
         level.axis, level.spacing = 1, (1e-3, 1e-3, 1e-3)
         z, x = 1e-3 * np.indices((12, 10)).astype(float)
         # Rotation about y with the rate 3: u = 3 z along x, w = -3 x along z.
         level.plane = lambda *names: np.array([3 * z, 0 * x, -3 * x]) if "velocity[m/s]" in names \
             else None
-        np.testing.assert_allclose(level.quantities()["vorticity"], 6, rtol=1e-12)
+        found = level.quantities()
+        np.testing.assert_allclose(found["vorticity"], 6, rtol=1e-12)
+        shown = arrows([found])  # the same as arrows
+        values = np.array(unpacked(shown["values"], "b")).reshape(2, 12, 10) * shown["largest"] / 127
+        np.testing.assert_allclose(values, [3 * z, -3 * x], atol=0.51 * shown["largest"] / 127 + 1e-5)
 
     def test_several_bodies_have_names(self):
         run = testing.good_run(testing.SMALL, {

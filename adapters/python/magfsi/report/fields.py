@@ -11,6 +11,8 @@ from magfsi.plotting import read_grid
 
 MOST_SIDE = 160  # pixels of a slice
 MOST_SLICES = 60
+MOST_ARROWS = 28  # along a side of a slice
+IN_PLANE = ("first", "second")  # components of the velocity along the axes of a slice
 AXES = "xyz"
 
 
@@ -201,6 +203,7 @@ class Level:
         found = {}
         velocity = self.plane("velocity[m/s]", "velocity")
         if velocity is not None:
+            found.update(zip(IN_PLANE, velocity[across]))
             found["speed"] = np.linalg.norm(velocity, axis=0)
         vorticity = self.plane("vorticity[1/s]", "vorticity")
         if vorticity is not None:
@@ -246,6 +249,20 @@ def one_slice(files, axis, at):
     return made, [coarse.low[a] for a in across], size
 
 
+def arrows(slices):
+    """Velocities in the plane on so many places that arrows have room, a signed byte a component."""
+    if IN_PLANE[0] not in slices[0]:
+        return None
+    stride = max(1, max(slices[0][IN_PLANE[0]].shape) // MOST_ARROWS)
+    values = np.array([[found.pop(name)[stride // 2::stride, stride // 2::stride] for name in IN_PLANE]
+                       for found in slices])
+    largest = float(np.quantile(np.hypot(values[:, 0], values[:, 1]), SHARE_IN_COLOUR))
+    if not largest:
+        return None
+    return {"stride": stride, "rows": values.shape[2], "columns": values.shape[3], "largest": largest,
+            "values": packed(np.clip(np.round(127 * values / largest), -127, 127), "i1")}
+
+
 SHARE_IN_COLOUR = 0.999  # a vortex at a sharp end would leave the rest without colour
 UNITS = {"speed": "m/s", "vorticity": "1/s", "pressure": "Pa"}
 
@@ -263,17 +280,20 @@ def flow(folder, scene, at, most_bytes):
     first, _, _ = one_slice(stored[-1][1], axis, at)
     if not first:
         return None
-    each = sum(values.size for values in first.values()) * 4 / 3
+    each = sum(values.size for name, values in first.items() if name not in IN_PLANE) * 4 / 3
     most = min(MOST_SLICES, max(2, int(most_bytes / each)))
     chosen = [stored[i] for i in spread(len(stored), most)]
     made = [once(files[0], ("slice", axis, at), lambda: one_slice(files, axis, at))
             for _, files in chosen]
+    # What was read once is kept as it is.
+    slices = [dict(found) for found, _, _ in made]
+    shown_arrows = arrows(slices)
     shape = first["speed"].shape if "speed" in first else next(iter(first.values())).shape
     quantities = []
-    for name in first:
-        values = np.array([found[name] for found, _, _ in made])
+    for name in slices[0]:
+        values = np.array([found[name] for found in slices])
         quantities.append(colour(name if name != "vorticity" else f"vorticity along {AXES[axis]}",
                                  UNITS[name], "pixels", values, name != "speed", SHARE_IN_COLOUR))
     return {"times": [time for time, _ in chosen], "axis": axis, "at": at, "rows": shape[0],
             "columns": shape[1], "origin": made[0][1], "size": made[0][2],
-            "quantities": quantities}
+            "arrows": shown_arrows, "quantities": quantities}

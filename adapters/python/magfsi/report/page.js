@@ -174,7 +174,7 @@ function showLegend() {
   });
   const f = shownRun.flow, q = f?.quantities[view.flow];
   if (q) legend(box, `flow at ${"xyz"[f.axis]} = ${quantity(f.at, "m")}: ${q.name}`, q, GLASS, view.range);
-  element("range-label").hidden = !q;
+  element("range-label").hidden = !q; element("arrows-label").hidden = !q || !f.arrows;
   for (const { missing } of shownRun.sources) if (missing) add(box, "span", `${missing}: not drawn, for it follows a formula or a file`, "legend");
   const shown = shownRun.bodies;
   if (shown && shown.times.length < shown.stored) add(box, "span", `${shown.times.length} of ${shown.stored} frames`, "legend");
@@ -279,6 +279,7 @@ element("play").onclick = play;
 element("fit").onclick = fit;
 element("follow").onclick = () => aim(view.aim === "follow" ? "robot" : "follow");
 element("filter").oninput = filter;
+element("arrows").onchange = e => { view.arrows = e.target.checked; view.draw(); };
 element("range").onchange = e => { view.range = Number(e.target.value); showLegend(); view.draw(); };
 const KEYS = { " ": play, ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => go(0), End: () => go(end),
   f: () => element("follow").click(), "+": () => view.zoomAt(view.width / 2, view.height / 2, 1.25), "-": () => view.zoomAt(view.width / 2, view.height / 2, 0.8) };

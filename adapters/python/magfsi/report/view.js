@@ -172,6 +172,24 @@ class View {
     context.globalAlpha = GLASS;
     context.drawImage(this.slice(f), 0, 0);
     context.restore();
+    if (this.arrows && f.arrows) this.drawArrows(f, corner);
+  }
+
+  // Velocities in the plane at the time; the largest reach the next place.
+  drawArrows(f, corner) {
+    const a = f.arrows, each = a.rows * a.columns, i = this.frame(f.times), j = Math.min(i + 1, f.times.length - 1), part = this.part(f.times);
+    a.unpacked ||= unpack(a.values, Int8Array);
+    this.context.strokeStyle = this.context.fillStyle = this.ink;
+    for (let k = 0; k < each; ++k) {
+      const [u, v] = [0, 1].map(c => {
+        const at = n => a.unpacked[(2 * n + c) * each + k];
+        return (at(i) + part * (at(j) - at(i))) / 127 * a.stride;
+      });
+      if (Math.hypot(u, v) < 0.05 * a.stride) continue;
+      const x = a.stride * (k % a.columns) + a.stride / 2, y = a.stride * Math.floor(k / a.columns) + a.stride / 2;
+      const [from, to] = [corner(x / f.columns, y / f.rows), corner((x + u) / f.columns, (y + v) / f.rows)];
+      this.arrow(from[0], from[1], to[0], to[1], 1);
+    }
   }
 
   drawBox() {
@@ -207,7 +225,7 @@ class View {
   }
 
   arrow(x0, y0, x1, y1, width) {
-    const context = this.context, length = Math.hypot(x1 - x0, y1 - y0), head = Math.min(9, length);
+    const context = this.context, length = Math.hypot(x1 - x0, y1 - y0), head = Math.min(9, length / 2);
     context.lineWidth = width;
     context.beginPath(); context.moveTo(x0, y0); context.lineTo(x1, y1); context.stroke();
     if (length < 3) return;
