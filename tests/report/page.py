@@ -131,6 +131,33 @@ class Sources(unittest.TestCase):
         np.testing.assert_allclose(self.field({"coil_pair": pair}, [0, 0, 0]), [right, 0, 0], rtol=2e-3, atol=1e-12)
         self.assertLess(np.abs(self.field({"coil_pair": {**pair, "opposed": True}}, [0, 0, 0])).max(), 1e-12)
 
+    def test_sources_of_every_kind_are_those_of_the_run(self):
+        """A small strip is a dipole M V along x in the field at its middle: the program's own torque
+        on it, which has closed forms, tells the components across it."""
+        folder = Path(testing.new_folder())
+        scene = (testing.ROOT / "docs/examples/scenes/field_sources.yaml").read_text()
+        scene = scene.replace("    map:\n      grid: {file: magnets_grid.csv}\n", "")
+        self.assertNotIn("grid", scene)
+        (folder / "scene.yaml").write_text(scene)
+        size = [0.4e-3, 0.1e-3, 0.1e-3]
+        run = testing.good_run(folder / "scene.yaml", {
+            "time.end": "0.2 ms", "bodies.strip.mesh.box.size": "[0.4 mm, 0.1 mm, 0.1 mm]",
+            "bodies.strip.mesh.box.elements": "[4, 1, 1]",
+            "bodies.strip.material.shear_modulus": "33 MPa",  # a soft one turns, and its moment with it
+            "bodies.strip.material.lame_lambda": "660 MPa", "output": "{structure: {every: 0.1 ms}}",
+            "magnetic_field.gradient": "{matrix: [[0.2 T/m, 0 T/m, 0 T/m], [0 T/m, 0 T/m, 0 T/m], "
+                                       "[0 T/m, 0 T/m, -0.2 T/m]], origin: [0 mm, 0 mm, -10 mm]}"})
+        shown = data.read_run(run.folder, 1e6)
+        vectors = np.array(unpacked(shown["field"]["vectors"], "f")).reshape(-1, 3)
+        moment, probes = 30e3 * np.prod(size), run.probes()
+        self.assertEqual(len(shown["sources"]), 6)
+        for row in 0, -1:
+            # Magnets cut into dipoles, three radii away.
+            self.assertAlmostEqual(vectors[row, 2], -probes["strip.magnetic_torque_y[N m]"][row] / moment,
+                                   delta=0.01 * np.linalg.norm(vectors[row]))
+            self.assertAlmostEqual(vectors[row, 1], probes["strip.magnetic_torque_z[N m]"][row] / moment,
+                                   delta=0.01 * np.linalg.norm(vectors[row]))
+
     def test_laws_of_time(self):
         dipole = {"dipole": {"moment": [0.0, 0.0, 1.0]}}
         on_axis = 2e-7 / 0.1**3

@@ -92,7 +92,9 @@ class Source:
         since, at = self.first_seen
         if reached <= at:  # nothing seen yet: as fast as since its begin
             since, at = begun, 0.0
-        text = f"running: {100 * share:.0f} %, {reached:.4g} of {run['end']:.4g} s"
+        text = f"running: {100 * share:.0f} %"
+        if not run["load"]:  # the time of equilibria is none
+            text += f", {reached:.4g} of {run['end']:.4g} s"
         if reached > at:
             text += f", {left_in_words((run['end'] - reached) * (now - since) / (reached - at))} left"
         return text

@@ -84,14 +84,18 @@ def uniform_field(scene, columns):
 
 def field_and_sources(scene, columns, rows, found):
     """(the field over time, magnets and coils over time, courses of the field at the first body):
-    the uniform field, and with magnets or coils that at the body's middle."""
+    the uniform field, and where it varies in space that at the body's middle."""
     times = np.array(columns["t[s]"])[rows] if columns else np.array(found["times"] if found else [])
     uniform = uniform_field(scene, columns)
     vectors = None if uniform is None else uniform[rows]
     drawn, courses = [], {}
-    if scene.get("magnetic_field", {}).get("sources") and found and len(times):
+    law = scene.get("magnetic_field", {})
+    varies = bool((law.get("sources") or law.get("gradient")) and found and len(times))
+    if varies:
         at = np.stack([np.interp(times, found["times"], c) for c in np.array(found["centres"]).T], 1)
         made, missing, more = sources.of_scene(scene, times, at)
+        if "gradient" in law:
+            more = more + (at - law["gradient"].get("origin", [0, 0, 0])) @ np.array(law["gradient"]["matrix"]).T
         drawn = [seen_source(source, times) for source in made] + [{"missing": name} for name in missing]
         vectors = more if vectors is None else vectors + more
         if columns and np.isfinite(vectors).all():
@@ -100,7 +104,7 @@ def field_and_sources(scene, columns, rows, found):
     if vectors is None or not len(times) or not np.abs(vectors).max() > 0:  # of NaN neither
         return None, drawn, courses
     return {"largest": float(np.linalg.norm(vectors, axis=1).max()), "times": packed(times, "<f4"),
-            "at": found["names"][0] if drawn else "", "vectors": packed(vectors, "<f4")}, drawn, courses
+            "at": found["names"][0] if varies else "", "vectors": packed(vectors, "<f4")}, drawn, courses
 
 
 def seen_source(source, times):
@@ -208,9 +212,10 @@ def read_run(folder, most_bytes):
     field, drawn, courses = field_and_sources(scene, columns, rows, found)
     seen = probes(columns, rows)
     if seen and courses:
-        # The field's law of time is none, or is part of what the body feels.
-        seen["columns"] = [c for c in seen["columns"] if not c["name"].startswith("field")] + \
-            [as_column(name, values) for name, values in courses.items()]
+        # A law of time that is none is not what the body feels.
+        seen["columns"] = [c for c in seen["columns"] if not c["name"].startswith("field") or
+                           any(columns[c["name"]])]
+        seen["columns"] += [as_column(name, values) for name, values in courses.items()]
     low, high = shown_box(scene, found)
     middle = found["middle"] if found else [b / 2 for b in high] if high else None
     last = starts[-1]

@@ -120,10 +120,10 @@ function showOrigin(box) {
 }
 
 function showCurves(box) {
-  const { panels: made, constants } = panels(allRuns);
+  const { panels: made, constants } = panels(allRuns), large = drawn.filter(panel => panel.figure.className).map(panel => panel.name);
   axis = axisOf(allRuns);
   drawn = [...made].map(([name, lines]) => new Panel(name, lines, several, axis, t => go(t)));
-  drawn.forEach(panel => box.append(panel.figure));
+  for (const panel of drawn) { if (large.includes(panel.name)) panel.figure.className = "large"; box.append(panel.figure); }
   if (!drawn.length) add(box, "p", "none: the scene has no probes", "grey");
   element("differ-label").hidden = !several;
   element("filter-label").hidden = drawn.length < 4;
