@@ -24,36 +24,38 @@ class Source {
     return [Math.min, Math.max].map(most => [0, 1, 2].map(d => all.reduce((v, p) => most(v, p[d]), all[0][d])));
   }
 
-  said(i) {
-    if (this.flows) return `${this.name} ${[...new Set(this.flows.map(f => quantity(f[i], "A")))].join(", ")}`;
-    return `${this.name} ${quantity(Math.hypot(...this.moment) * this.strength[i], "A m²")}`;
-  }
-
   draw(view) {
-    const context = view.context, i = view.frame(this.t), part = view.part(this.t), where = view.project(this.place([0, 0, 0], i, part));
+    const context = view.context, i = view.frame(this.t), part = view.part(this.t), of = p => this.place(p, i, part);
     context.strokeStyle = context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--field");
     context.lineWidth = 1.5; context.font = "13px system-ui, sans-serif"; context.textBaseline = "alphabetic";
     context.beginPath();
-    for (const line of this.lines) line.forEach((p, n) => context[n ? "lineTo" : "moveTo"](...view.project(this.place(p, i, part)).slice(0, 2)));
+    for (const line of this.lines) line.forEach((p, n) => context[n ? "lineTo" : "moveTo"](...view.project(of(p)).slice(0, 2)));
     context.stroke();
-    const [x, y] = where, inside = x > 10 && x < view.width - 10 && y > 10 && y < view.height - 10;
-    context.textAlign = x > view.width / 2 ? "right" : "left";
-    if (inside) {
-      if (this.moment) {
-        const tip = this.place(this.moment.map(v => Math.sign(this.strength[i]) * v / Math.hypot(...this.moment)), i, part);
-        const [dx, dy] = view.direction(tip.map((v, d) => v - this.place([0, 0, 0], i, part)[d]));
-        view.arrow(x - 18 * dx, y - 18 * dy, x + 18 * dx, y + 18 * dy, 3);
-      }
-      view.write(this.said(i), x + (context.textAlign === "left" ? 24 : -24), y - 8);
+    // A coil is named at a point of each loop, a magnet at its middle.
+    if (this.flows) this.lines.forEach((line, k) => this.mark(view, of(line[0]), `${this.name} ${quantity(this.flows[k][i], "A turns")}`));
+    else {
+      const size = Math.hypot(...this.moment), from = of([0, 0, 0]), to = of(this.moment.map(v => Math.sign(this.strength[i]) * v / size));
+      this.mark(view, from, `${this.name} ${quantity(size * this.strength[i], "A m²")}`, to.map((v, d) => v - from[d]));
+    }
+  }
+
+  mark(view, place, words, moment) {
+    const context = view.context, [x, y] = view.project(place), [mx, my] = [view.width / 2, view.height / 2], [dx, dy] = [x - mx, y - my];
+    if (Math.abs(dx) < mx - 10 && Math.abs(dy) < my - 10) {
+      const [ax, ay] = moment ? view.direction(moment) : [0, 0];
+      if (moment) view.arrow(x - 18 * ax, y - 18 * ay, x + 18 * ax, y + 18 * ay, 3);
+      context.textAlign = dx > 0 ? "right" : "left";
+      view.write(words, x + (dx > 0 ? -24 : 24), y - 8);
       return;
     }
-    // Towards it, from the middle of the view to just before its edge.
-    const [mx, my] = [view.width / 2, view.height / 2], [dx, dy] = [x - mx, y - my];
-    const reach = Math.min((mx - 26) / Math.max(1e-9, Math.abs(dx)), (my - 140) / Math.max(1e-9, Math.abs(dy)));
-    const [ex, ey] = [mx + reach * dx, my + reach * dy], long = Math.hypot(dx, dy);
+    // Towards it, from the middle of the view to before its edge.
+    const reach = Math.min((mx - 26) / Math.max(1e-9, Math.abs(dx)), (my - 140) / Math.max(1e-9, Math.abs(dy))), long = Math.hypot(dx, dy);
+    const [ex, ey] = [mx + reach * dx, my + reach * dy], away = Math.hypot(...place.map((v, d) => v - view.middle[d]));
     view.arrow(ex - 22 * dx / long, ey - 22 * dy / long, ex, ey, 2);
-    const away = Math.hypot(...this.place([0, 0, 0], i, part).map((v, d) => v - view.middle[d]));
     context.textAlign = Math.abs(dx) < mx / 3 ? "center" : dx > 0 ? "right" : "left";
-    view.write(`${this.said(i)}, ${quantity(away, "m")} away`, ex, ey + (dy > 0 ? 16 : -8));
+    // Above and below each has a line of its own.
+    const side = reach * Math.abs(dx) > mx - 30 ? null : Math.sign(dy), before = side ? view.marks.filter(s => s === side).length : 0;
+    view.marks.push(side);
+    view.write(`${words}, ${quantity(away, "m")} away`, ex, ey + (dy > 0 ? 18 + 16 * before : -8 - 16 * before));
   }
 }

@@ -122,6 +122,7 @@ class View {
     this.paint(far);
     if (cut) this.drawSlice(cut);
     this.paint(near);
+    this.marks = [];
     for (const source of this.sources) source.draw(this);
     this.drawField(); this.drawAxes(); this.drawScale();
   }
