@@ -203,6 +203,17 @@ class InUse(unittest.TestCase):
         self.button("fit")  # all with the magnet: it is named at its place
         self.assertIn("magnet 30 A m²", self.browser.run(words))
 
+    def test_another_plane_with_arrows(self):
+        self.open(self.swimmer.folder, fragment="#t=0.002&flow=vorticity")
+        before = pixels(self.browser.picture())
+        self.browser.run("element('plane').value = '1'; element('plane').dispatchEvent(new Event('change'))")
+        self.assertIn("flow at x = ", self.browser.run("document.getElementById('legend').textContent"))
+        self.assertIn("vorticity along x", self.browser.run("document.getElementById('legend').textContent"))
+        without = pixels(self.browser.picture())
+        self.assertGreater((np.abs(without - before).max(axis=2) > 30).sum(), 1000)
+        self.button("arrows")
+        self.assertGreater((np.abs(pixels(self.browser.picture()) - without).max(axis=2) > 60).sum(), 200)
+
     def test_a_phone(self):
         self.open(self.swimmer.folder, width=420, height=900)
         self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), 420)

@@ -76,6 +76,16 @@ class Report(unittest.TestCase):
                 # Nodes are no masses: half an element.
                 self.assertAlmostEqual(middle, ends[f"robot.com_{name}[m]"][row], delta=1e-4)
 
+    def test_slices_are_across_each_axis_through_the_robot(self):
+        flows = [self.shown["flow"], *self.shown["other_flows"]]
+        self.assertEqual([flow["axis"] for flow in flows], [1, 0, 2])  # the field's plane is x-z
+        for flow in flows:
+            self.assertAlmostEqual(flow["at"], self.shown["bodies"]["middle"][flow["axis"]], delta=1e-9)
+            self.assertEqual([q["name"].split()[0] for q in flow["quantities"]], ["speed", "vorticity"])
+            for axis, origin, size in zip({0, 1, 2} - {flow["axis"]}, flow["origin"], flow["size"]):
+                self.assertAlmostEqual(origin, 0, delta=1e-9)
+                self.assertAlmostEqual(size, self.shown["box"][axis], delta=1e-9)
+
     def test_curves_are_those_of_the_probes(self):
         columns = {c["name"]: c["base"] + np.array(unpacked(c["values"], "f"))
                    for c in self.shown["probes"]["columns"]}

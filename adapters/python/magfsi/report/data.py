@@ -218,6 +218,7 @@ def read_run(folder, most_bytes):
         seen["columns"] += [as_column(name, values) for name, values in courses.items()]
     low, high = shown_box(scene, found)
     middle = found["middle"] if found else [b / 2 for b in high] if high else None
+    slices = fields.flows(folder, scene, middle, 0.45 * most_bytes) if "fluid" in scene and middle else []
     last = starts[-1]
     text = folder / "scene.yaml"
     return {"name": scene.get("name", folder.name), "folder": str(folder),
@@ -235,5 +236,4 @@ def read_run(folder, most_bytes):
             "box": scene.get("fluid", {}).get("box"), "wires": shapes.wires(scene, low, high),
             "field": field, "sources": drawn, "load": load(scene, columns, rows), "probes": seen,
             "points": scene.get("probes", {}).get("points", {}), "bodies": found,
-            "flow": fields.flow(folder, scene, middle, 0.45 * most_bytes)
-            if "fluid" in scene and middle else None}
+            "flow": slices[0] if slices else None, "other_flows": slices[1:]}

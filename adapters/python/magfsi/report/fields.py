@@ -10,6 +10,7 @@ from magfsi import runs
 from magfsi.plotting import read_grid
 
 MOST_SIDE = 160  # pixels of a slice
+LESS_SIDE = 80  # of those in the planes that are not shown at first
 MOST_SLICES = 60
 MOST_ARROWS = 28  # along a side of a slice
 IN_PLANE = ("first", "second")  # components of the velocity along the axes of a slice
@@ -220,7 +221,7 @@ class Level:
         return found
 
 
-def one_slice(files, axis, at):
+def one_slice(files, axis, at, most_side):
     """({name: (rows, columns)}, origin, size), on the whole box, each pixel from the finest level
     that has it."""
     levels = sorted((Level(file, axis, at) for file in files), key=lambda l: -l.spacing[axis])
@@ -229,7 +230,7 @@ def one_slice(files, axis, at):
     across = [a for a in range(3) if a != axis]
     finest = min(level.spacing[axis] for level in levels)
     size = [coarse.cells[a] * coarse.spacing[a] for a in across]
-    scale = max(1.0, max(size) / finest / MOST_SIDE)
+    scale = max(1.0, max(size) / finest / most_side)
     places = []
     for a, length in zip(across, size):
         count = max(1, round(length / finest / scale))
@@ -267,23 +268,30 @@ SHARE_IN_COLOUR = 0.999  # a vortex at a sharp end would leave the rest without 
 UNITS = {"speed": "m/s", "vorticity": "1/s", "pressure": "Pa"}
 
 
-def flow(folder, scene, at, most_bytes):
-    """Slices of the flow in the plane of the field, or across y, through `at`."""
+def flows(folder, scene, at, most_bytes):
+    """Slices through a place: in the plane of the field, or across y, then in the two other planes."""
+    plane = scene.get("magnetic_field", {}).get("plane", "xz")
+    first = next(a for a in range(3) if AXES[a] not in plane)
+    made = [flow(folder, axis, at, (0.6 if axis == first else 0.2) * most_bytes,
+                 MOST_SIDE if axis == first else LESS_SIDE) for axis in (first, *{0, 1, 2} - {first})]
+    return [found for found in made if found]
+
+
+def flow(folder, axis, at, most_bytes, most_side):
+    """Slices of the flow across an axis, through `at`."""
     stored = [(time, [f for f in files if f.suffix in (".vti", ".pvti")])
               for time, files in stored_frames(folder, "fluid.pvd")]
     stored = [(time, files) for time, files in stored if files]
     if not stored:
         return None
-    plane = scene.get("magnetic_field", {}).get("plane", "xz")
-    axis = next(a for a in range(3) if AXES[a] not in plane)
     at = at[axis]
-    first, _, _ = one_slice(stored[-1][1], axis, at)
+    first, _, _ = one_slice(stored[-1][1], axis, at, most_side)
     if not first:
         return None
     each = sum(values.size for name, values in first.items() if name not in IN_PLANE) * 4 / 3
     most = min(MOST_SLICES, max(2, int(most_bytes / each)))
     chosen = [stored[i] for i in spread(len(stored), most)]
-    made = [once(files[0], ("slice", axis, at), lambda: one_slice(files, axis, at))
+    made = [once(files[0], ("slice", axis, at), lambda: one_slice(files, axis, at, most_side))
             for _, files in chosen]
     # What was read once is kept as it is.
     slices = [dict(found) for found, _, _ in made]

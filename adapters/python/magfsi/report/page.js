@@ -174,7 +174,7 @@ function showLegend() {
   });
   const f = shownRun.flow, q = f?.quantities[view.flow];
   if (q) legend(box, `flow at ${"xyz"[f.axis]} = ${quantity(f.at, "m")}: ${q.name}`, q, GLASS, view.range);
-  element("range-label").hidden = !q; element("arrows-label").hidden = !q || !f.arrows;
+  element("range-label").hidden = element("plane-label").hidden = !q; element("arrows-label").hidden = !q || !f.arrows;
   for (const { missing } of shownRun.sources) if (missing) add(box, "span", `${missing}: not drawn, for it follows a formula or a file`, "legend");
   const shown = shownRun.bodies;
   if (shown && shown.times.length < shown.stored) add(box, "span", `${shown.times.length} of ${shown.stored} frames`, "legend");
@@ -184,7 +184,7 @@ function choices(id, labels, chosen) {
   const box = element(id);
   box.replaceChildren();
   for (const [value, text] of labels) add(box, "option", text).value = value;
-  box.value = labels.some(([value]) => value === chosen) ? chosen : labels[0][0];
+  box.value = labels.some(([value]) => value === chosen) ? chosen : labels[0]?.[0] ?? "";
   return box.value;
 }
 
@@ -199,7 +199,10 @@ function show(runs) {
   showOrigin(element("origin"));
   view.show(runs);
   const colours = (shownRun.bodies?.colours || []).map((c, i) => [String(i), c.name]).concat([["", "body"]]);
-  const flows = (shownRun.flow?.quantities || []).map((q, i) => [String(i), q.name]).concat([["", "none"]]);
+  const planes = shownRun.planes ||= [shownRun.flow, ...shownRun.other_flows].filter(Boolean);
+  const plane = choices("plane", planes.map((f, i) => [String(i), `${"xyz"[f.axis]} = ${quantity(f.at, "m")}`]), element("plane").value);
+  shownRun.flow = planes[plane] || null;
+  const flows = (shownRun.flow?.quantities || []).map((q, i) => [String(i), q.name.replace(/ along .$/, "")]).concat([["", "none"]]);
   view.colour = choices("colour", colours, fresh ? asked("colour", colours) : view.colour);
   view.flow = choices("flow", flows, fresh ? asked("flow", flows) : view.flow);
   element("flow-label").hidden = flows.length < 2;
@@ -278,6 +281,7 @@ function play() {
 element("play").onclick = play;
 element("fit").onclick = fit;
 element("follow").onclick = () => aim(view.aim === "follow" ? "robot" : "follow");
+element("plane").onchange = e => { shownRun.flow = shownRun.planes[e.target.value]; view.pictured = null; showLegend(); view.draw(); };
 element("filter").oninput = filter;
 element("arrows").onchange = e => { view.arrows = e.target.checked; view.draw(); };
 element("range").onchange = e => { view.range = Number(e.target.value); showLegend(); view.draw(); };
