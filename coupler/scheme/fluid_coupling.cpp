@@ -51,31 +51,10 @@ bool FluidCoupling::take_place() {
     return grid.follows && boundary_->own(grid.owned_by_rank[session_.world().rank()]);
 }
 
-void FluidCoupling::add_spread(TaskList& tasks) {
-    tasks.add_immersed_boundary("spread impulses", [this] {
-        boundary_->spread(batch_->before_m, batch_->impulse);
-    });
-}
-
-void FluidCoupling::add_audit(TaskList& tasks,
-                              std::function<InterfaceBalance()> received) {
-    if (!balance_) return;
-    tasks.add_coupling("audit interface", [this, received = std::move(received)] {
-        balance_->add(received());
-    });
-}
-
-void FluidCoupling::add_advance(TaskList& tasks) {
-    tasks.add(advance_fluid, [this] {
-        fluid_.advance();
-        boundary_->fluid_has_changed();
-        ++advances_;
-    });
-}
-
-void FluidCoupling::add_answer(TaskList& tasks) {
-    tasks.add_immersed_boundary("sample velocities", [this] { sample_velocities(); });
-    tasks.add_coupling("send velocities", [this] { send_velocities(); });
+void FluidCoupling::advance() {
+    fluid_.advance();
+    boundary_->fluid_has_changed();
+    ++advances_;
 }
 
 void FluidCoupling::sample_velocities() {

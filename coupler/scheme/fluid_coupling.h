@@ -4,7 +4,6 @@
 // partner makes one and adds its own checks and outputs after these tasks.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "coupler/exchange/exchange.h"
@@ -17,7 +16,7 @@ namespace magfsi::coupler {
 // Name of the task in which the fluid advances, in every scheme.
 inline constexpr const char* advance_fluid = "advance fluid";
 
-// Each scheme is a class of its own (schemes.h). All calls are collective over the
+// Each scheme is a class of its own (schemes.cpp). All calls are collective over the
 // fluid's ranks.
 class FluidCoupling {
   public:
@@ -43,15 +42,12 @@ class FluidCoupling {
     BalanceRecord* balance() const { return balance_.get(); }
 
   protected:
-    void add_spread(TaskList& tasks);
-    void add_advance(TaskList& tasks);
-    void add_answer(TaskList& tasks);
-    // received: what this rank's cells received in the step.
-    void add_audit(TaskList& tasks, std::function<InterfaceBalance()> received);
-
     void receive(const Occasion& when, bool stays = false);
     // Takes over the boxes of a grid that may have moved; true if they are others.
     bool take_place();
+    void advance();
+    void sample_velocities();
+    void send_velocities();
 
     Session& session_;
     GridFluid& fluid_;
@@ -59,9 +55,6 @@ class FluidCoupling {
     const MarkerBatch* batch_ = nullptr;   // markers received last
 
   private:
-    void sample_velocities();
-    void send_velocities();
-
     FluidExchange exchange_;
     std::unique_ptr<BalanceRecord> balance_;
     Occasion when_ = -1;             // exchange that batch_ belongs to

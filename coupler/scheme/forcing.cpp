@@ -42,9 +42,8 @@ NoSlipForcing::NoSlipForcing(std::vector<Marker> markers, const PenaltyScale& sc
                              const Vec3& gravity_m_s2, const MarkerStep& step,
                              const Setting& setting)
     : PenaltyForcing(std::move(markers), scale, gravity_m_s2, step),
-      half_m3_kg_(0.5 / scale.fluid_density_kg_m3),
+      scale_(scale),
       body_force_n_m3_(setting.body_force_n_m3),
-      own_kappa_(kappa_),
       memory_(this->markers(), setting.rates) {
     for (const Marker& marker : this->markers()) volume_m3_.push_back(marker.volume_m3);
     if (setting.carries_layers)
@@ -84,11 +83,12 @@ void NoSlipForcing::add_to_answer(TaskList& tasks) {
 // The body force's part of q - U is left out of g. U is that at the start of the step.
 void NoSlipForcing::take_answer() {
     const std::span<const Vec3> felt = step_.last_velocity;
+    const double half_m3_kg = 0.5 / scale_.fluid_density_kg_m3;
     std::vector<Vec3> uneven(felt.size());
     for (std::size_t m = 0; m < felt.size(); ++m) {
-        const double even = half_m3_kg_ * answer_.row_sum[m] / volume_m3_[m];
+        const double even = half_m3_kg * answer_.row_sum[m] / volume_m3_[m];
         for (std::size_t d = 0; d < 3; ++d) {
-            const double of_all = half_m3_kg_ * step_.duration_s * body_force_n_m3_[d];
+            const double of_all = half_m3_kg * step_.duration_s * body_force_n_m3_[d];
             uneven[m][d] =
                 even * given()[m][d] - (answer_.passed[m][d] - of_all - felt[m][d]);
         }
@@ -100,7 +100,8 @@ void NoSlipForcing::take_answer() {
 // Row sums are bounded from below, since the stable substep depends on the largest kappa.
 void NoSlipForcing::divide_by_row_sums() {
     for (std::size_t m = 0; m < kappa_.size(); ++m)
-        kappa_[m] = fitted::no_slip_strength * own_kappa_[m] /
+        kappa_[m] = fitted::no_slip_strength *
+                    scale_.drag_coefficient_kg_s(volume_m3_[m]) /
                     std::max(answer_.row_sum[m], fitted::least_row_sum);
 }
 

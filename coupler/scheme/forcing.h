@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The two forcings (options.h) on a structure rank: the force between markers and fluid,
 // each with its own state and its own tasks in the coupled step. The schemes put these
-// tasks in their places (serial.cpp, implicit.cpp).
+// tasks in their places (schemes.cpp).
 #pragma once
 
 #include <optional>
@@ -66,6 +66,7 @@ class PenaltyForcing : public PenaltyForce {
     // Adds a sample at the end of a step. Collective over the structure.
     virtual void measure(SlipRecord& record) const;
 
+    // State from step to step, from which a step can be repeated, too.
     virtual std::vector<MarkerArray> carried();
 
   protected:
@@ -109,9 +110,8 @@ class NoSlipForcing final : public PenaltyForcing {
     // row sums or fitted::least_row_sum, whichever is larger.
     void divide_by_row_sums();
 
-    double half_m3_kg_;  // half of the fluid's volume per mass [m3/kg]
+    PenaltyScale scale_;
     Vec3 body_force_n_m3_;
-    std::vector<double> own_kappa_;  // coefficients before the division [kg/s]
     std::vector<double> volume_m3_;
     NoSlipAnswer answer_;
     SlipMemory memory_;

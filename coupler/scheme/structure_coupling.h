@@ -46,7 +46,7 @@ struct BodyMarkers {
 };
 
 // The markers of a structure rank and their part in the coupled step; each scheme is a
-// class of its own (schemes.h). All calls are made by every rank of the structure.
+// class of its own (schemes.cpp). All calls are made by every rank of the structure.
 class StructureCoupling {
   public:
     // Attaches the fluid's force to the solver. session and solver must outlive this
@@ -98,6 +98,10 @@ class StructureCoupling {
   protected:
     // Exchange that the next messages belong to.
     virtual Occasion occasion() const { return session_.clock().step(); }
+
+    bool extrapolates() const {
+        return options_.sampled_velocity == SampledVelocity::linear;
+    }
 
     // The tasks from the structure's advance to its message, the audit of the interface,
     // and the end of the step from the forcing's view of the fluid's answer to the count.
