@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/fitted/constants.h"
-#include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/immersed_boundary/running_mean.h"
 
 namespace magfsi::coupler {
@@ -68,17 +66,9 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
       coupled_step_s_(scale.coupled_step_s),
       fluid_velocity_(markers_.size()),
       impulse_(markers_.size()) {
-    own_kappa_.reserve(markers_.size());
+    kappa_.reserve(markers_.size());
     for (const Marker& m : markers_)
-        own_kappa_.push_back(scale.drag_coefficient_kg_s(m.volume_m3));
-    kappa_ = own_kappa_;
-}
-
-// Row sums are bounded from below, since the stable substep depends on the largest kappa.
-void PenaltyForce::divide_by(std::span<const double> row_sum) {
-    for (std::size_t m = 0; m < kappa_.size(); ++m)
-        kappa_[m] = fitted::no_slip_strength * own_kappa_[m] /
-                    std::max(row_sum[m], fitted::least_row_sum);
+        kappa_.push_back(scale.drag_coefficient_kg_s(m.volume_m3));
 }
 
 void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {

@@ -200,8 +200,8 @@ void Participant::build_coupling(const std::vector<int>& first_node) {
     const coupler::Grid grid = coupler::grid_from_text(coupler::swap_text(
         session_.world(), "", coupler::no_timeout_s, "description of the grid"));
     auto markers = own_markers(scene_, *run_.engine, first_node, grid, session_.clock());
-    run_.coupling = std::make_unique<coupler::StructureCoupling>(
-        session_, *run_.engine, grid, std::move(markers));
+    run_.coupling = coupler::make_structure_coupling(session_, *run_.engine, grid,
+                                                     std::move(markers));
 }
 
 // The tasks of a step: those of the coupling, or without a fluid one advance of the

@@ -102,8 +102,9 @@ INSTANTIATE_TEST_SUITE_P(AllKernels, SpreadingAndInterpolation,
 TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_speed) {
     const Grid grid = cut_grid({8, 7, 12}, {true, true, true});
     ArrayFluid fluid(grid, 0);
-    FluidSide side(fluid, grid.owned_by_rank[0], GetParam(), ArrayFluid::step_s,
-                   Forcing::no_slip);
+    NoSlipFluidSide side(fluid, grid.owned_by_rank[0], GetParam(), ArrayFluid::step_s,
+                         ArrayFluid::density_kg_m3, {});
+    const NoSlipAnswer& answer = *side.answer();
     std::vector<Vec3> points;
     std::vector<double> volume;
     for (int y = 0; y < 7; ++y) {
@@ -113,11 +114,8 @@ TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_sp
             volume.push_back(0.7 * cell_volume_m3());
         }
     }
-    const auto sampled = side.sample(points);
+    const auto sampled = side.sample(points, volume);
     const std::vector<Vec3> before(sampled.begin(), sampled.end());
-    NoSlipAnswer answer;
-    answer.make_room(points.size());
-    side.add_row_sums(volume, answer);
     const Vec3 slip{0.2, -0.1, 0.3};
     std::vector<Vec3> impulse(points.size());
     for (std::size_t m = 0; m < points.size(); ++m) {
@@ -126,7 +124,6 @@ TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_sp
                 2 * ArrayFluid::density_kg_m3 * volume[m] / answer.row_sum[m] * slip[d];
     }
     side.spread(points, impulse);
-    side.add_passed(ArrayFluid::density_kg_m3, {}, answer);
     for (std::size_t m = 0; m < points.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
             ASSERT_NEAR(answer.passed[m][d], before[m][d] + slip[d], rounding);
