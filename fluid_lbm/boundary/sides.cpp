@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/refuse.h"
@@ -234,10 +233,7 @@ bool is_open(const FluidConfig& config, int side, const Cell& cell) {
 
 double opening_area_m2(const FluidConfig& config, int side) {
     const Boundary& boundary = config.boundaries[side];
-    if (const Disc* disc = opening<Disc>(boundary))
-        return std::numbers::pi * disc->diameter_m * disc->diameter_m / 4;
-    if (const Rectangle* r = opening<Rectangle>(boundary))
-        return r->size_m[0] * r->size_m[1];
+    if (boundary.patch) return area_m2(*boundary.patch);
     const std::array<int, 2> axes = in_plane(side);
     return config.spacing_m * config.spacing_m * config.cells[axes[0]] *
            config.cells[axes[1]];
