@@ -74,6 +74,27 @@ TEST(Opening, BringsItsFlowIntoTheBox) {
     }
 }
 
+// ---- An opening whose rim is that of a tube, of whose cells the grid gives some to the
+// tube's wall: the first step into fluid at rest brings what is asked.
+
+TEST(Opening, LosesNothingAtTheRimOfATube) {
+    for (const InletProfile profile : profiles) {
+        FluidConfig config = channel({12, 10, 10}, 0.8, 0, 0.01, BoundaryKind::no_slip);
+        config.boundaries[0].inlet.profile = profile;
+        config.boundaries[0].patch = Rectangle{{5.2, 5.1}, {5, 4.6}};
+        config.obstacles = {{"below y", Block{{-1, -1, -1}, {13, 2.7, 11}}},
+                            {"above y", Block{{-1, 7.7, -1}, {13, 11, 11}}},
+                            {"below z", Block{{-1, -1, -1}, {13, 11, 2.8}}},
+                            {"above z", Block{{-1, -1, 7.4}, {13, 11, 11}}}};
+        Fluid fluid(MPI_COMM_WORLD, config);
+        const double before = fluid.totals().mass_kg;
+        fluid.step();
+        const double brought = fluid.totals().mass_kg - before;
+        // Rounding of a mass of 240 beside 0.23.
+        EXPECT_NEAR(brought / (0.01 * 5 * 4.6), 1, 1e-11);
+    }
+}
+
 // ---- Where as much is drawn out as comes in, beside walls that move and an inlet that
 // is oblique to its side, each step keeps the mass.
 
