@@ -105,7 +105,8 @@ void check_periodic_pairs(const Fluid& fluid, const Marks& marks) {
     }
 }
 
-// Walls may move only along themselves, and inlets need a velocity.
+// Walls may move only along themselves, inlets need a velocity, and an opening smaller
+// than a cell is none.
 void check_sides(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
         const Boundary& side = fluid.boundaries[face];
@@ -123,6 +124,12 @@ void check_sides(const Fluid& fluid, const Marks& marks) {
                 fmt::format("the inlet {} without a velocity", name),
                 "velocity_inlet: {velocity: [x, y, z]}, not zero",
                 "give it a velocity, or leave the side out: a wall");
+        const double faces =
+            side.patch ? fluid::area_m2(*side.patch) / (fluid.spacing_m * fluid.spacing_m)
+                       : 1;
+        require(faces >= 1 - divides_within, marks.value({"fluid", "boundaries", name}),
+                fmt::format("an opening of {:.3g} of a cell's face", faces),
+                "at least one face", "make the opening larger, or fluid.spacing finer");
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/refuse.h"
@@ -216,12 +215,16 @@ void check_outlets(const FluidConfig& config) {
 }  // namespace
 
 bool is_open(const FluidConfig& config, int side, const Cell& cell) {
+    // A cell at an inlet is open if a part of its face is, except for rounding.
+    if (config.boundaries[side].patch && is(config, side, BoundaryKind::velocity_inlet))
+        return shape_of(config, side, face_centre(side, cell)) > 1e-9;
+    return holds_centre(config, side, cell);
+}
+
+bool holds_centre(const FluidConfig& config, int side, const Cell& cell) {
     const Boundary& boundary = config.boundaries[side];
     if (!boundary.patch) return true;
     const std::array<double, 2> at = face_centre(side, cell);
-    // A cell at an inlet is open if a part of its face is, except for rounding.
-    if (is(config, side, BoundaryKind::velocity_inlet))
-        return shape_of(config, side, at) > 1e-9;
     const double dx = config.spacing_m;
     if (const Disc* disc = opening<Disc>(boundary)) {
         return std::hypot(at[0] * dx - disc->centre_m[0],
@@ -234,10 +237,7 @@ bool is_open(const FluidConfig& config, int side, const Cell& cell) {
 
 double opening_area_m2(const FluidConfig& config, int side) {
     const Boundary& boundary = config.boundaries[side];
-    if (const Disc* disc = opening<Disc>(boundary))
-        return std::numbers::pi * disc->diameter_m * disc->diameter_m / 4;
-    if (const Rectangle* r = opening<Rectangle>(boundary))
-        return r->size_m[0] * r->size_m[1];
+    if (boundary.patch) return area_m2(*boundary.patch);
     const std::array<int, 2> axes = in_plane(side);
     return config.spacing_m * config.spacing_m * config.cells[axes[0]] *
            config.cells[axes[1]];

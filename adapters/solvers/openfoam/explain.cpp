@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "adapters/scene/effective.h"
+#include "adapters/solvers/openfoam/inlet.h"
 #include "adapters/solvers/openfoam/mesh.h"
 #include "base/fitted/constants.h"
 
@@ -47,6 +48,9 @@ std::string explain(const scene::Scene& scene, int /*ranks*/) {
     const scene::Fluid& fluid = *scene.fluid;
     const double step_s = *scene::coupled_step_s(scene);
     const BoxMesh mesh = to_mesh(fluid, 0, 1);
+    for (int side = 0; side < 6; ++side)
+        if (fluid.boundaries[side].kind == fluid::BoundaryKind::velocity_inlet)
+            slab_shape(fluid, mesh, side);  // refuses an opening without a face
     const auto n = mesh_cells(mesh);
     const double cells = 1.0 * n[0] * n[1] * n[2];
     std::string text = "\nfluid (OpenFOAM, pimpleFoam)                     SI\n";
