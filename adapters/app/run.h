@@ -38,6 +38,6 @@ struct RunOptions {
 // Runs the scene to its end. Returns the exit code of the command line. Throws
 // std::invalid_argument and scene::SceneError on bad input, std::runtime_error if the job
 // cannot be started.
-int run(const RunOptions& options);
+int run(RunOptions options);
 
 }  // namespace magfsi::launch

@@ -13,7 +13,6 @@
 #include "adapters/solvers/bodies/fluid_inside.h"
 #include "adapters/solvers/bodies/marker_placement.h"
 #include "adapters/solvers/bodies/probe_row.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/lattice/stable_step.h"
 
 namespace magfsi::lammps {
@@ -102,7 +101,8 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene,
         wall.plane.normal[axis] = side % 2 == 0 ? 1 : -1;
         if (side % 2 == 1) wall.plane.point_m[axis] = scene.fluid->box_m[axis];
         for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-            if (!bodies::spans_fluid(*scene.fluid, scene.bodies[b], true)[axis])
+            if (!bodies::spans_fluid(*scene.fluid, scene.bodies[b], bodies[b].mesh,
+                                     true)[axis])
                 wall.bodies.push_back(b);
         if (!wall.bodies.empty()) walls.push_back(std::move(wall));
     }
@@ -114,9 +114,10 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene,
 
 // The law of the uniform field is left out where the scene has only a gradient or
 // sources: its course means nothing there.
-structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
+structure::LammpsInput to_lammps_input(const scene::Scene& scene,
+                                       const bodies::Solids& solids, double time_step_s) {
     structure::LammpsInput input;
-    input.bodies = bodies::bodies_in_fluid(scene);
+    input.bodies = bodies::bodies_in_fluid(scene, solids);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         input.placements.push_back(scene.bodies[b].initial);
         for (structure::PrescribedMotion motion : scene.bodies[b].prescribed_motion) {
@@ -143,8 +144,8 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
 }
 
 // The time step of the input does not matter here.
-double stable_step_s(const scene::Scene& scene) {
-    const structure::LammpsInput input = to_lammps_input(scene, 1);
+double stable_step_s(const scene::Scene& scene, const bodies::Solids& solids) {
+    const structure::LammpsInput input = to_lammps_input(scene, solids, 1);
     double smallest = 0;
     for (const structure::Body& body : input.bodies) {
         // Springs of platform and contact on its surface count with its own stiffness and
