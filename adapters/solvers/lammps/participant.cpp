@@ -103,9 +103,9 @@ structure::LammpsScript generate_input(const coupler::Session& session,
 // The structure's side of a run, from the script to the summary.
 class Participant {
   public:
-    // solids: the scene's bodies, which are not kept.
+    // Begins the session. solids: the scene's bodies, which are not kept.
     Participant(const scene::Scene& scene, const bodies::Solids& solids,
-                coupler::Session& session, const Substeps& substeps,
+                coupler::Session& session,
                 const coupler::ParticipantArguments& arguments);
     void run();
 
@@ -136,13 +136,14 @@ class Participant {
 };
 
 Participant::Participant(const scene::Scene& scene, const bodies::Solids& solids,
-                         coupler::Session& session, const Substeps& substeps,
+                         coupler::Session& session,
                          const coupler::ParticipantArguments& arguments)
     : scene_(scene),
       session_(session),
-      at_start_(substeps),
-      run_{.scene = scene, .session = session, .substeps = substeps} {
-    run_.counted.fewest = substeps.count;
+      at_start_(choose_substeps(scene, solids)),
+      run_{.scene = scene, .session = session, .substeps = at_start_} {
+    session.begin(at_start_.coupled_step_s);
+    run_.counted.fewest = at_start_.count;
     if (session_.restart()) take_substeps_of_restart();
     start_lammps(solids);
     if (session_.restart()) restore_bodies(run_, coupler::open_restart(session_));
@@ -382,23 +383,21 @@ void Participant::finish(double wall_s) {
 
 int main(int argc, char** argv) {
     using namespace magfsi;
-    return run_scene(
-        coupler::Role::structure, "The soft bodies of a magfsi scene, in LAMMPS", argc,
-        argv,
-        [](const scene::Scene& scene, coupler::Session& session,
-           const coupler::ParticipantArguments& arguments) {
-            if (scene.bodies.empty())
-                throw std::invalid_argument(
-                    "the scene has no bodies; use ./magfsi run SCENE, "
-                    "which starts what it has");
-            const auto& rest = scene.time.equilibrium;
-            if (rest && rest->method == scene::EquilibriumMethod::newton)
-                throw std::invalid_argument(
-                    "the scene asks for Newton's method; start "
-                    "magfsi-equilibrium for it");
-            const auto solids = bodies::to_bodies(scene);
-            const lammps::Substeps substeps = lammps::choose_substeps(scene, solids);
-            session.begin(substeps.coupled_step_s);
-            lammps::Participant(scene, solids, session, substeps, arguments).run();
-        });
+    return run_scene(coupler::Role::structure,
+                     "The soft bodies of a magfsi scene, in LAMMPS", argc, argv,
+                     [](const scene::Scene& scene, coupler::Session& session,
+                        const coupler::ParticipantArguments& arguments) {
+                         if (scene.bodies.empty())
+                             throw std::invalid_argument(
+                                 "the scene has no bodies; use ./magfsi run SCENE, "
+                                 "which starts what it has");
+                         const auto& rest = scene.time.equilibrium;
+                         if (rest && rest->method == scene::EquilibriumMethod::newton)
+                             throw std::invalid_argument(
+                                 "the scene asks for Newton's method; start "
+                                 "magfsi-equilibrium for it");
+                         lammps::Participant participant(scene, bodies::to_bodies(scene),
+                                                         session, arguments);
+                         participant.run();
+                     });
 }
