@@ -140,8 +140,8 @@ Participant::Participant(const scene::Scene& scene, const bodies::Solids& solids
                          const coupler::ParticipantArguments& arguments)
     : scene_(scene),
       session_(session),
-      at_start_(choose_substeps(scene, solids)),
-      run_{.scene = scene, .session = session, .substeps = at_start_} {
+      run_{.scene = scene, .session = session, .input = to_lammps_input(scene, solids)} {
+    run_.substeps = at_start_ = choose_substeps(scene, run_.input);
     session.begin(at_start_.coupled_step_s);
     run_.counted.fewest = at_start_.count;
     if (session_.restart()) take_substeps_of_restart();
@@ -165,7 +165,7 @@ void Participant::take_substeps_of_restart() {
 }
 
 void Participant::start_lammps(const bodies::Solids& solids) {
-    run_.input = to_lammps_input(scene_, solids, run_.substeps.lammps_step_s);
+    run_.input.time_step_s = run_.substeps.lammps_step_s;
     if (scene_.time.equilibrium) prepare_for_rest(run_.input, scene_);
     const int count = run_.substeps.count;
     const auto script =

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "adapters/solvers/bodies/fluid_inside.h"
@@ -32,14 +30,8 @@ structure::SolidShape surface_of(const scene::Cylinder& rod) {
     if (rod.length_m) half_m = 0.5 * *rod.length_m;
     return structure::Rod{rod.centre_m, 0.5 * rod.diameter_m, rod.axis, half_m};
 }
-// The file is read only once in a process.
 structure::SolidShape surface_of(const scene::StlSurface& stl) {
-    using Key = std::tuple<std::string, double, scene::Vec3>;
-    static std::map<Key, structure::Surface> known;
-    const Key key{stl.file, stl.unit_m, stl.shift_m};
-    const auto found = known.find(key);
-    if (found != known.end()) return found->second;
-    return known[key] = structure::read_surface(stl.file, stl.unit_m, stl.shift_m);
+    return structure::read_surface(stl.file, stl.unit_m, stl.shift_m);
 }
 
 structure::SolidShape surface_of(const scene::Obstacle& obstacle) {
@@ -115,7 +107,7 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene,
 // The law of the uniform field is left out where the scene has only a gradient or
 // sources: its course means nothing there.
 structure::LammpsInput to_lammps_input(const scene::Scene& scene,
-                                       const bodies::Solids& solids, double time_step_s) {
+                                       const bodies::Solids& solids) {
     structure::LammpsInput input;
     input.bodies = bodies::bodies_in_fluid(scene, solids);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -138,14 +130,11 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene,
     if (scene.fluid) input.period_m = scene.fluid->period_m();
     input.walls = walls_of(scene, input.bodies);
     input.reactions = bodies::needs(scene, bodies::Load::support);
-    input.time_step_s = time_step_s;
     structure::check_effects(input);
     return input;
 }
 
-// The time step of the input does not matter here.
-double stable_step_s(const scene::Scene& scene, const bodies::Solids& solids) {
-    const structure::LammpsInput input = to_lammps_input(scene, solids, 1);
+double stable_step_s(const structure::LammpsInput& input) {
     double smallest = 0;
     for (const structure::Body& body : input.bodies) {
         // Springs of platform and contact on its surface count with its own stiffness and

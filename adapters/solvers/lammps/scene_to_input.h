@@ -9,14 +9,14 @@
 namespace magfsi::lammps {
 
 // The bodies with their loads, supports and surroundings. In a fluid the bodies' masses
-// lack those of the enclosed fluid (bodies_in_fluid). time_step_s: LAMMPS's own step [s].
-// Throws std::invalid_argument on an effect that this build lacks, and on contact with
-// obstacles of a shape that it does not know.
+// lack those of the enclosed fluid (bodies_in_fluid). The time step is left to the
+// caller. Throws std::invalid_argument on an effect that this build lacks, and on contact
+// with obstacles of a shape that it does not know.
 structure::LammpsInput to_lammps_input(const scene::Scene& scene,
-                                       const bodies::Solids& solids, double time_step_s);
+                                       const bodies::Solids& solids);
 
 // Largest stable LAMMPS step over all bodies, with the stiffness of platform and contact
 // and with viscosity [s]. Infinite if no node can move.
-double stable_step_s(const scene::Scene& scene, const bodies::Solids& solids);
+double stable_step_s(const structure::LammpsInput& input);
 
 }  // namespace magfsi::lammps

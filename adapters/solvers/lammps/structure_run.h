@@ -24,7 +24,7 @@ namespace magfsi::lammps {
 struct StructureRun {
     const scene::Scene& scene;
     coupler::Session& session;
-    Substeps substeps;  // the steps of the last coupled step
+    Substeps substeps{};  // the steps of the last coupled step
     StepCount counted{};
     structure::LammpsInput input{};
     std::vector<std::string> fix_ids{};  // ID of the fix magttice of each body
