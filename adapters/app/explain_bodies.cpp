@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Text on each body, from the mesh that the run would build. Estimates beyond a threshold
+// Text on each body, from the mesh of the run. Estimates beyond a threshold
 // come with a warning and advice.
 #include "adapters/app/explain_bodies.h"
 

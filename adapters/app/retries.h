@@ -20,8 +20,7 @@ class Retries {
   public:
     // `restart` is the command line's option. A run continued from a checkpoint with
     // halved steps keeps them halved. Throws std::invalid_argument if the checkpoint
-    // cannot be found.
-    // Keeps a reference to solids.
+    // cannot be found. Keeps a reference to solids.
     Retries(const scene::Scene& scene, const bodies::Solids& solids,
             const std::filesystem::path& out, const std::string& restart);
 

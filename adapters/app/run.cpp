@@ -332,8 +332,8 @@ int run(RunOptions options) {
     check_memory(scene, solids);
     check_structure_program(scene, options);
     options.ranks = choose_ranks(scene, solids, options.ranks);
-    // explain() builds obstacles, markers and steps, so that a scene that
-    // cannot run is refused as bad input before anything is written or started.
+    // explain() builds obstacles, markers and steps, so that a scene that cannot run is
+    // refused as bad input before anything is written or started.
     const auto warned = warnings(explain(scene, solids, options.ranks));
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;

@@ -18,7 +18,7 @@ struct RunOptions {
     // Run folder; "" for runs/NAME.
     std::filesystem::path out;
     std::vector<std::string> overrides;  // --set, as typed
-    Ranks ranks;                         // only those given
+    Ranks ranks;                         // only those given; run() adds the others
     std::vector<std::string> notes;      // lines for the head of the log
     std::string restart;                 // latest, a file of a checkpoint, or empty
     // Number of times that retries have halved every step (set by the launcher).

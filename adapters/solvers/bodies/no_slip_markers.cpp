@@ -9,7 +9,6 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/bodies/marker_surface.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "base/fitted/constants.h"
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/body_points.h"
