@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Text on each body, from the mesh that the run would build. Estimates beyond a threshold
+// Text on each body, from the mesh of the run. Estimates beyond a threshold
 // come with a warning and advice.
 #include "adapters/app/explain_bodies.h"
 
@@ -17,7 +17,6 @@
 #include "adapters/solvers/bodies/marker_placement.h"
 #include "adapters/solvers/bodies/mesh_estimate.h"
 #include "adapters/solvers/bodies/probe_row.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/bodies/surroundings.h"
 #include "adapters/solvers/lammps/substeps.h"
 #include "structure/equilibrium/static_problem.h"
@@ -86,8 +85,9 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
 
 // Note on a thin sheet with a no-slip surface: a single layer of markers moves more or
 // less fluid along with it than the sheet's volume.
-std::string explain_layer(const scene::Scene& scene, std::size_t number) {
-    const auto layer = bodies::carried_layer(scene, number);
+std::string explain_layer(const scene::Scene& scene, std::size_t number,
+                          const structure::Mesh& mesh) {
+    const auto layer = bodies::carried_layer(scene, number, mesh);
     if (!layer) return "";
     const double spacing_m = scene.fluid->finest_spacing_m();
     std::string text = fmt::format(
@@ -318,17 +318,17 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers, forcing {}\n",
-                            bodies::place_markers(scene, number).size(),
+                            bodies::place_markers(scene, number, solid.mesh).size(),
                             name_of(*scene.coupling->immersed_boundary.forcing));
-        text += explain_layer(scene, number);
+        text += explain_layer(scene, number, solid.mesh);
     }
     return text;
 }
 
 // Coupled step, substeps, and the two limits of the substep: elastic waves and the
 // explicit drag.
-std::string explain_steps(const scene::Scene& scene) {
-    const lammps::Substeps s = lammps::choose_substeps(scene);
+std::string explain_steps(const scene::Scene& scene, const bodies::Solids& solids) {
+    const lammps::Substeps s = lammps::choose_substeps(scene, solids);
     std::string text =
         fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
                     s.coupled_step_s * 1e6, s.count, s.lammps_step_s * 1e6);
@@ -347,23 +347,21 @@ std::string explain_steps(const scene::Scene& scene) {
 
 // The field sources and, for Newton's method, the surroundings are built only for the
 // faults that show then.
-std::string explain_structure(const scene::Scene& scene) {
+std::string explain_structure(const scene::Scene& scene, const bodies::Solids& solids) {
     const bool newton = by_newton(scene);
     std::string text = newton ? "\nstructure (Newton's method)\n"
                               : "\nstructure (LAMMPS, fix magttice)\n";
-    std::vector<structure::Body> solids;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-        text +=
-            explain_body(scene, b, solids.emplace_back(bodies::to_body(scene.bodies[b])));
+    for (std::size_t b = 0; b < solids.size(); ++b)
+        text += explain_body(scene, b, solids[b]);
     if (scene.magnetic_field)  // reads and refuses as the run would
         (void)structure::SourceField(scene.magnetic_field->sources);
     if (newton) (void)bodies::to_surroundings(scene, solids);  // refuses as the run would
-    if (!scene.time.equilibrium) return text + explain_steps(scene);
+    if (!scene.time.equilibrium) return text + explain_steps(scene, solids);
     const double points = scene.time.end_s / scene::path_step_s(scene);
     text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);
     if (!newton) {
         text += fmt::format("  LAMMPS steps of {:.4g} us until at rest\n",
-                            lammps::choose_substeps(scene).lammps_step_s * 1e6);
+                            lammps::choose_substeps(scene, solids).lammps_step_s * 1e6);
     }
     return text;
 }

@@ -31,8 +31,9 @@ int write(const LatticeOptions& options) {
     if (scene.bodies.empty())
         throw std::invalid_argument(
             "the scene has no bodies; name one with the key bodies");
-    const lammps::Substeps steps = lammps::choose_substeps(scene);
-    const auto input = lammps::to_lammps_input(scene, steps.lammps_step_s);
+    auto input = lammps::to_lammps_input(scene, bodies::to_bodies(scene));
+    const lammps::Substeps steps = lammps::choose_substeps(scene, input);
+    input.time_step_s = steps.lammps_step_s;
     fs::create_directories(options.out);
     const auto script = structure::write_lammps_input(input, fs::absolute(options.out));
     std::string text =

@@ -59,7 +59,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(self.run_.summary["outcome"], "completed")
         self.assertEqual(self.run_.summary["ranks"]["fluid"], 2)
         self.assertEqual(self.run_.columns,
-                         runs.read_columns(self.run_.folder / "probes.csv"))
+                         runs.read_table(self.run_.folder / "probes.csv", float))
 
     def test_fields_are_those_of_the_instant(self):
         self.assertEqual(len(self.run_.times_s), 5)

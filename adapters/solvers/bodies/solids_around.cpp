@@ -66,7 +66,7 @@ SolidsAround::SolidsAround(const scene::Scene& scene,
                    first_node);
         first_node += static_cast<int>(solids[b].mesh.nodes.size());
     }
-    add_sides(*scene.fluid, scene.bodies, start_m);
+    add_sides(scene, solids, start_m);
     add_obstacles(*scene.fluid, start_m);
 }
 
@@ -94,9 +94,10 @@ void SolidsAround::add_points(const structure::Body& body, const std::set<int>& 
 
 // A body may pass a side if it spans the box to it or starts beyond it; it stands on the
 // side if a clamped node starts within deep_m_ of it.
-void SolidsAround::add_sides(const scene::Fluid& fluid,
-                             std::span<const scene::Body> bodies,
+void SolidsAround::add_sides(const scene::Scene& scene,
+                             std::span<const structure::Body> solids,
                              std::span<const Vec3> start_m) {
+    const scene::Fluid& fluid = *scene.fluid;
     for (std::size_t side = 0; side < fluid.boundaries.size(); ++side) {
         if (fluid.boundaries[side].kind == scene::BoundaryKind::periodic) continue;
         const std::size_t axis = side / 2;
@@ -107,9 +108,10 @@ void SolidsAround::add_sides(const scene::Fluid& fluid,
                   fmt::format("the side {} of the fluid's box",
                               scene::names<scene::Face>[side]),
                   {}};
-        std::vector<bool> passes, stands(bodies.size());
-        for (const scene::Body& body : bodies)
-            passes.push_back(spans_fluid(fluid, body, true)[axis]);
+        std::vector<bool> passes, stands(solids.size());
+        for (std::size_t b = 0; b < solids.size(); ++b)
+            passes.push_back(
+                spans_fluid(fluid, scene.bodies[b], solids[b].mesh, true)[axis]);
         const auto height_m = [&](const Point& point) {
             return made.inwards * (place_of(point.at, start_m)[axis] - made.place_m);
         };

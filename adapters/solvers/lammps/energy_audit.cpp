@@ -12,7 +12,6 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/bodies/fluid_inside.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/lammps/structure_run.h"
 #include "base/fitted/constants.h"
 #include "structure/lammps/names.h"
@@ -100,7 +99,8 @@ EnergyTerms collect_terms(const StructureRun& run) {
     return terms;
 }
 
-EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
+EnergyAudit::EnergyAudit(const scene::Scene& scene, const bodies::Solids& solids,
+                         NodalState start)
     : scene_(scene),
       start_(std::move(start)),
       whole_kg_(start_.mass_kg),
@@ -108,8 +108,8 @@ EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
       gravity_m_s2_(bodies::to_gravity(scene).value_or(bodies::Vec3{})) {
     if (scene.fluid) {
         driven_ = is_driven(*scene.fluid);
-        whole_kg_ = bodies::whole_masses_kg(scene);
-        inside_kg_ = bodies::inside_masses_kg(scene);
+        whole_kg_ = bodies::whole_masses_kg(solids);
+        inside_kg_ = bodies::inside_masses_kg(scene, solids);
     }
     min_j_ = min_energy(scene, whole_kg_);
 }

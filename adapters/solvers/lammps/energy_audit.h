@@ -10,6 +10,7 @@
 
 #include "adapters/scene/scene.h"
 #include "adapters/solvers/bodies/nodal_state.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "coupler/output/summary.h"
 
 namespace magfsi::lammps {
@@ -54,7 +55,8 @@ class EnergyAudit {
     // start: the nodes at step 0, with the masses that LAMMPS integrates, which lack
     // those of the enclosed fluid. Needed on the root only, as are the states of the
     // rows. Keeps a reference to the scene.
-    EnergyAudit(const scene::Scene& scene, NodalState start);
+    EnergyAudit(const scene::Scene& scene, const bodies::Solids& solids,
+                NodalState start);
 
     // Names of the columns. Effects that the scene does not have get none.
     std::vector<std::string> columns() const;

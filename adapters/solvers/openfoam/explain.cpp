@@ -37,7 +37,8 @@ double largest_cell_m(const BoxMesh& mesh) {
 }  // namespace
 
 // The Reynolds number of a cell is U h / nu, its Courant number U dt / h.
-std::string explain(const scene::Scene& scene, int /*ranks*/) {
+std::string explain(const scene::Scene& scene, const bodies::Solids& /*solids*/,
+                    int /*ranks*/) {
     for (const auto& integral : scene.probes.value_or(scene::Probes{}).integrals) {
         if (!std::holds_alternative<scene::FluidPlane>(integral.over)) continue;
         throw std::invalid_argument(fmt::format(
