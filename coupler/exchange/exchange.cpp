@@ -39,10 +39,7 @@ constexpr Box no_box() {
 }
 
 void widen(Box& box, const Vec3& low, const Vec3& high) {
-    for (std::size_t d = 0; d < 3; ++d) {
-        box[0][d] = std::min(box[0][d], low[d]);
-        box[1][d] = std::max(box[1][d], high[d]);
-    }
+    box = {lower(box[0], low), higher(box[1], high)};
 }
 
 // Exchanges with every rank of the partner the number of markers that each side will
@@ -146,7 +143,7 @@ void add_answer(const std::vector<double>& message, const std::vector<int>& mark
         const double* at = message.data() + answer_at(i);
         const std::size_t m = markers[i];
         answer.row_sum[m] += at[0];
-        for (std::size_t d = 0; d < 3; ++d) answer.passed[m][d] += at[1 + d];
+        answer.passed[m] += vector_at(at + 1);
     }
 }
 
@@ -262,7 +259,7 @@ void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity,
         const double* at = in_[f].data() + message_header;
         for (const int marker : table_[f]) {
             const std::size_t m = marker;
-            for (std::size_t d = 0; d < 3; ++d) velocity[m][d] += at[d];
+            velocity[m] += vector_at(at);
             at += velocity_values_of(forcing_);
         }
         if (more) add_answer(in_[f], table_[f], *more);
@@ -319,8 +316,8 @@ void FluidExchange::follow(std::int64_t step, bool stays) {
     std::vector<Box> bodies(in.front().size() / 6, no_box());
     for (const auto& message : in) {
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            widen(bodies[b], get(message.data() + 6 * b),
-                  get(message.data() + 6 * b + 3));
+            widen(bodies[b], vector_at(message.data() + 6 * b),
+                  vector_at(message.data() + 6 * b + 3));
     }
     // Bodies without markers have empty boxes.
     std::erase_if(bodies, [](const Box& box) { return box[0][0] > box[1][0]; });
@@ -346,9 +343,9 @@ const MarkerBatch& FluidExchange::receive(const Occasion& when, bool stays) {
         check_header(in_[s], when, count, fmt::format("structure rank {}", s));
         const double* at = in_[s].data() + message_header;
         for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values_of(forcing_)) {
-            batch_.before_m[m] = get(at);
-            batch_.impulse[m] = get(at + 3);
-            batch_.now_m[m] = get(at + 6);
+            batch_.before_m[m] = vector_at(at);
+            batch_.impulse[m] = vector_at(at + 3);
+            batch_.now_m[m] = vector_at(at + 6);
         }
         if (!batch_.volume_m3.empty())
             read_volumes(in_[s], std::span(batch_.volume_m3).subspan(m - count, count));

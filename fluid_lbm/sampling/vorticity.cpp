@@ -124,19 +124,11 @@ Vec3 VelocityField::derivative(const Cell& cell, int axis) const {
             value[side] = at(next[0], next[1], next[2]);
         }
     }
-    Vec3 slope{};
-    for (int a = 0; a < 3; ++a) {
-        if (wall_side < 0) {
-            slope[a] = 0.5 * (value[1][a] - value[0][a]);
-        } else {
-            // Parabola through -1/2 (wall), 0 and 1, at 0.
-            const double wall = (*wall_velocity_[2 * axis + wall_side])[a];
-            const double inward = value[1 - wall_side][a];
-            const double rise = -4.0 / 3 * wall + here[a] + inward / 3;
-            slope[a] = wall_side == 0 ? rise : -rise;
-        }
-    }
-    return slope;
+    if (wall_side < 0) return 0.5 * (value[1] - value[0]);
+    // Parabola through -1/2 (wall), 0 and 1, at 0.
+    const Vec3& wall = *wall_velocity_[2 * axis + wall_side];
+    const Vec3 rise = -4.0 / 3 * wall + here + value[1 - wall_side] / 3;
+    return wall_side == 0 ? rise : -rise;
 }
 
 Vec3 VelocityField::curl(int x, int y, int z) const {
