@@ -148,7 +148,8 @@ std::string in_words(const Vec3& cells, double spacing_m) {
 // smaller than a cell: the file is in another unit, and the message guesses which.
 void check_size(const StlSurface& body, const Bounds& bounds, const FluidConfig& config) {
     constexpr double larger = 20;
-    const double most = std::ranges::max(bounds.high - bounds.low);
+    const Vec3 size = bounds.high - bounds.low;
+    const double most = std::ranges::max(size);
     const double room = *std::ranges::max_element(config.cells);
     if (most <= larger * room && most >= 1) return;
     std::string guess = "see that its unit is the file's";

@@ -124,10 +124,11 @@ Vec3 VelocityField::derivative(const Cell& cell, int axis) const {
             value[side] = at(next[0], next[1], next[2]);
         }
     }
-    if (wall_side < 0) return 0.5 * (value[1] - value[0]);
+    if (wall_side < 0) return 0.5 * (vector_at(value[1]) - vector_at(value[0]));
     // Parabola through -1/2 (wall), 0 and 1, at 0.
     const Vec3& wall = *wall_velocity_[2 * axis + wall_side];
-    const Vec3 rise = -4.0 / 3 * wall + here + value[1 - wall_side] / 3;
+    const Vec3 rise =
+        -4.0 / 3 * wall + vector_at(here) + vector_at(value[1 - wall_side]) / 3;
     return wall_side == 0 ? rise : -rise;
 }
 

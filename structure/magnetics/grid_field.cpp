@@ -129,8 +129,7 @@ point_fields::Field<Gradient> GridValues::at(
                                  sx.weight[i] * sy.weight[j] * sz.slope[k]};
                 for (std::size_t c = 0; c < 3; ++c) {
                     out[c].value += weight * value[c];
-                    for (std::size_t d = 0; d < 3; ++d)
-                        out[c].d[d] += slope[d] * value[c];
+                    out[c].d += slope * value[c];
                 }
             }
         }
