@@ -21,7 +21,6 @@ namespace {
 
 using scene::format_si;
 using structure::Bounds;
-using structure::Vec3;
 
 // One line of the text.
 std::string line(const std::string& file, const std::string& what) {

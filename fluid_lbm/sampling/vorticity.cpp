@@ -142,7 +142,7 @@ Vec3 VelocityField::curl(int x, int y, int z) const {
 
 double VelocityField::enstrophy(int x, int y, int z) const {
     const Vec3 w = curl(x, y, z);
-    return 0.5 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    return 0.5 * dot(w, w);
 }
 
 void VelocityField::add_enstrophy_of_row(const CellRow& row, double& sum) const {

@@ -16,8 +16,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-using structure::Vec3;
-
 // Position of a material point whose nodes are numbered over all bodies [m].
 Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes_m) {
     Vec3 x{};
