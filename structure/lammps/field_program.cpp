@@ -173,7 +173,7 @@ void check(const VectorTable& table) {
 }
 
 void check(const PrecessingField& field) {
-    if (!(length(field.axis) > 0))
+    if (!(norm(field.axis) > 0))
         refuse("an axis of length 0 found for a precessing field; any other is allowed");
 }
 
@@ -225,13 +225,13 @@ FieldProgram held_at(const FieldProgram& program, double time_s) {
 }
 
 double field_magnitude_at(const FieldProgram& program, double time_s) {
-    if (!program.plus.empty()) return length(field_at(program, time_s));
+    if (!program.plus.empty()) return norm(field_at(program, time_s));
     return std::visit(
         [time_s]<class Law>(const Law& one) {
             if constexpr (in_plane<Law>)
                 return polar(one, time_s).magnitude_t;
             else
-                return length(vector_of(one, time_s));
+                return norm(vector_of(one, time_s));
         },
         program.course);
 }
