@@ -125,8 +125,9 @@ EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
         m.kinetic_whole += whole_kg_[i] * half_square;
         m.kinetic += once * half_square;
         m.kinetic_nodes += state.mass_kg[i] * half_square;
-        m.work_weight +=
-            once * dot(gravity_m_s2_, state.position_m[i] - start_.position_m[i]);
+        const double fallen =
+            dot(gravity_m_s2_, state.position_m[i] - start_.position_m[i]);
+        m.work_weight += once * fallen;
         m.work_weight_nodes += state.mass_kg[i] * fallen;
     }
     return m;
