@@ -13,13 +13,13 @@
 #include <variant>
 #include <vector>
 
+#include "base/vector/vec3.h"
 #include "base/words/name_of.h"
 #include "structure/formula.h"
 
 namespace magfsi::structure {
 
-// A vector (x, y, z).
-using Vec3 = std::array<double, 3>;
+using magfsi::Vec3;
 
 // --- meshes -------------------------------------------------------------------------
 

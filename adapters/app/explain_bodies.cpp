@@ -209,8 +209,7 @@ double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
                          const structure::Body& solid) {
     const scene::MagneticField& field = *scene.magnetic_field;
     if (field.sources.empty()) {
-        const structure::Vec3 b = bodies::strongest_field_t(scene);
-        return std::hypot(b[0], b[1], b[2]);
+        return norm(bodies::strongest_field_t(scene));
     }
     constexpr std::size_t most_places = 50;
     constexpr int instants = 100;
@@ -272,9 +271,8 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
     if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
     double largest = 0;
     for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
-        const structure::Vec3& m = solid.magnetization_a_m[e];
         largest =
-            std::max(largest, std::hypot(m[0], m[1], m[2]) /
+            std::max(largest, norm(solid.magnetization_a_m[e]) /
                                   structure::material_of(solid, e).shear_modulus_pa);
     }
     const double field_t = strongest_field_t(scene, body, solid);

@@ -21,7 +21,6 @@ namespace {
 
 using scene::format_si;
 using structure::Bounds;
-using structure::Vec3;
 
 // One line of the text.
 std::string line(const std::string& file, const std::string& what) {
@@ -42,7 +41,7 @@ std::string in_words(const Bounds& bounds) {
 std::string range(std::span<const Vec3> vectors, const char* unit) {
     double least = INFINITY, most = 0;
     for (const Vec3& v : vectors) {
-        const double length = std::hypot(v[0], v[1], v[2]);
+        const double length = norm(v);
         least = std::min(least, length);
         most = std::max(most, length);
     }

@@ -88,9 +88,7 @@ std::string table_text(const structure::LatticeFile& lattice) {
     std::string text = "x[m],y[m],z[m],Mx[A/m],My[A/m],Mz[A/m]\n";
     for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
         structure::Vec3 centre{};
-        for (const int node : lattice.elements[e]) {
-            for (std::size_t d = 0; d < 3; ++d) centre[d] += lattice.nodes_m[node][d] / 8;
-        }
+        for (const int node : lattice.elements[e]) centre += lattice.nodes_m[node] / 8;
         text += fmt::format("{},{}\n", fmt::join(centre, ","),
                             fmt::join(lattice.magnetization_a_m[e], ","));
     }

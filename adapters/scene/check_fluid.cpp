@@ -262,7 +262,7 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
     check_speed(fluid.expected_speed_m_s, "the expected speed",
                 marks.value({"fluid", "expected_speed"}), fluid, dt_s);
     if (fluid.initial_velocity_m_s)
-        check_speed(length(*fluid.initial_velocity_m_s), "the initial velocity",
+        check_speed(norm(*fluid.initial_velocity_m_s), "the initial velocity",
                     marks.value({"fluid", "initial_velocity"}), fluid, dt_s);
     if (fluid.taylor_green)
         check_speed(fluid.taylor_green->speed_m_s, "the vortex's speed",
@@ -273,8 +273,8 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
         const std::string kind(name_of(side.kind));
         const bool inlet = side.kind == BoundaryKind::velocity_inlet;
         const double speed_m_s =
-            inlet ? side.inlet.peak_factor * length(side.inlet.velocity_m_s)
-                  : length(side.wall_velocity_m_s);
+            inlet ? side.inlet.peak_factor * norm(side.inlet.velocity_m_s)
+                  : norm(side.wall_velocity_m_s);
         check_speed(speed_m_s,
                     !inlet              ? "the wall velocity"
                     : side.inlet.course ? "the largest velocity of the inlet's course"

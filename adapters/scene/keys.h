@@ -108,8 +108,8 @@ class JsonWriter {
         json_ = nlohmann::ordered_json::array();
         for (auto& item : list) json_.push_back(of(item));
     }
-    template <class T, std::size_t N>
-    void write(std::array<T, N>& value) {
+    template <FixedLength Row>
+    void write(Row& value) {
         write_list(value);
     }
     template <class T>
@@ -217,23 +217,23 @@ class Describer {
         describe(value);
     }
     // Arrays are vectors of fixed length.
-    template <class T, std::size_t N>
-    void describe(std::array<T, N>& value) {
+    template <FixedLength Row>
+    void describe(Row& value) {
         describe(value[0]);
         field_->layout = Layout::vector;
-        field_->length = field_->count_min = field_->count_max = N;
+        field_->length = field_->count_min = field_->count_max = std::tuple_size_v<Row>;
     }
-    template <std::size_t N, std::size_t M>
-    void describe(std::array<std::array<double, N>, M>& value) {
+    template <std::size_t M>
+    void describe(std::array<Vec3, M>& value) {
         describe(value[0]);
         field_->layout = Layout::rows;
         field_->count_min = field_->count_max = M;
     }
-    template <std::size_t N>
-    void describe(std::vector<std::array<double, N>>&) {
+    template <FixedLength Row>
+    void describe(std::vector<Row>&) {
         leaf(Kind::quantity);
         field_->layout = Layout::rows;
-        field_->length = N;
+        field_->length = std::tuple_size_v<Row>;
     }
     // Vectors are lists of scalars, maps by name (types with a member `name`), or lists
     // of maps.

@@ -39,10 +39,7 @@ constexpr Box no_box() {
 }
 
 void widen(Box& box, const Vec3& low, const Vec3& high) {
-    for (std::size_t d = 0; d < 3; ++d) {
-        box[0][d] = std::min(box[0][d], low[d]);
-        box[1][d] = std::max(box[1][d], high[d]);
-    }
+    box = {lower(box[0], low), higher(box[1], high)};
 }
 
 // Exchanges with every rank of the partner the number of markers that each side will
@@ -222,10 +219,10 @@ void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity,
         const double* at = in_[f].data() + message_header;
         for (const int marker : table_[f]) {
             const std::size_t m = marker;
-            for (std::size_t d = 0; d < 3; ++d) velocity[m][d] += at[d];
+            velocity[m] += vector_at(at);
             if (more) {
                 more->row_sum[m] += at[3];
-                for (std::size_t d = 0; d < 3; ++d) more->passed[m][d] += at[4 + d];
+                more->passed[m] += vector_at(at + 4);
             }
             at += velocity_values_of(forcing_);
         }
@@ -282,8 +279,8 @@ void FluidExchange::follow(std::int64_t step, bool stays) {
     std::vector<Box> bodies(in.front().size() / 6, no_box());
     for (const auto& message : in) {
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            widen(bodies[b], get(message.data() + 6 * b),
-                  get(message.data() + 6 * b + 3));
+            widen(bodies[b], vector_at(message.data() + 6 * b),
+                  vector_at(message.data() + 6 * b + 3));
     }
     // Bodies without markers have empty boxes.
     std::erase_if(bodies, [](const Box& box) { return box[0][0] > box[1][0]; });
@@ -309,9 +306,9 @@ const MarkerBatch& FluidExchange::receive(const Occasion& when, bool stays) {
         check_header(in_[s], when, count, fmt::format("structure rank {}", s));
         const double* at = in_[s].data() + message_header;
         for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values_of(forcing_)) {
-            batch_.before_m[m] = get(at);
-            batch_.impulse[m] = get(at + 3);
-            batch_.now_m[m] = get(at + 6);
+            batch_.before_m[m] = vector_at(at);
+            batch_.impulse[m] = vector_at(at + 3);
+            batch_.now_m[m] = vector_at(at + 6);
             if (!batch_.volume_m3.empty()) batch_.volume_m3[m] = at[9];
         }
     }

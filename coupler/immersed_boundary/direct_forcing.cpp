@@ -81,9 +81,7 @@ void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
 void PenaltyForce::let_change(std::span<const Vec3> start, std::span<const Vec3> end) {
     start_.assign(start.begin(), start.end());
     change_.assign(end.begin(), end.end());
-    for (std::size_t m = 0; m < change_.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d) change_[m][d] -= start_[m][d];
-    }
+    for (std::size_t m = 0; m < change_.size(); ++m) change_[m] -= start_[m];
     elapsed_s_ = 0;
 }
 
@@ -94,10 +92,8 @@ void PenaltyForce::hold(std::span<const Vec3> fluid_velocity) {
 // The middle of the substep makes the mean of U over the step that of its line.
 void PenaltyForce::follow(double duration_s) {
     const double part = (elapsed_s_ + 0.5 * duration_s) / coupled_step_s_;
-    for (std::size_t m = 0; m < change_.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d)
-            fluid_velocity_[m][d] = start_[m][d] + part * change_[m][d];
-    }
+    for (std::size_t m = 0; m < change_.size(); ++m)
+        fluid_velocity_[m] = start_[m] + part * change_[m];
     elapsed_s_ += duration_s;
 }
 
@@ -107,13 +103,9 @@ void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
     const auto enclosed = enclosed_.force();
     for (std::size_t m = 0; m < markers_.size(); ++m) {
         const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
-        Vec3 force = enclosed[m];
-        for (std::size_t d = 0; d < 3; ++d) {
-            const double given = kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
-            impulse_[m][d] += given * duration_s;
-            force[d] -= given;
-        }
-        to_nodes(markers_[m], force, nodal_force);
+        const Vec3 given = kappa_[m] * (velocity - fluid_velocity_[m]);
+        impulse_[m] += given * duration_s;
+        to_nodes(markers_[m], enclosed[m] - given, nodal_force);
     }
 }
 

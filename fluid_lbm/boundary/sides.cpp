@@ -15,10 +15,6 @@ bool is(const FluidConfig& config, int side, BoundaryKind kind) {
     return config.boundaries[side].kind == kind;
 }
 
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
 // Profile over s, the distance from the middle over half the width.
 double falloff(InletProfile profile, double s) {
     if (profile == InletProfile::uniform) return 1;
@@ -164,7 +160,7 @@ void check_inlet(const FluidConfig& config, int side) {
     const auto velocity = inlet_velocity(config, side);
     double peak = 0;
     for_each_cell(whole_side(config, side), [&](const Cell& c) {
-        if (is_open(config, side, c)) peak = std::max(peak, length(velocity(c)));
+        if (is_open(config, side, c)) peak = std::max(peak, norm(velocity(c)));
     });
     peak *= config.boundaries[side].inlet.peak_factor;
     check_lattice_speed(config, peak * units(config).velocity_m_s(), "inlet speed", side);
@@ -259,16 +255,15 @@ std::function<Vec3(const Cell&)> inlet_velocity(const FluidConfig& config, int s
     const double faces =
         opening_area_m2(config, side) / (config.spacing_m * config.spacing_m);
     Vec3 peak = config.boundaries[side].inlet.velocity_m_s;
-    for (double& u : peak) u *= faces / sum / units(config).velocity_m_s();
+    peak *= faces / sum / units(config).velocity_m_s();
     return [&config, side, peak](const Cell& cell) {
-        const double shape = shape_of(config, side, face_centre(side, cell));
-        return Vec3{peak[0] * shape, peak[1] * shape, peak[2] * shape};
+        return peak * shape_of(config, side, face_centre(side, cell));
     };
 }
 
 void check_sides(const FluidConfig& config) {
     for (int side = 0; side < 6; ++side) {
-        check_lattice_speed(config, length(config.boundaries[side].wall_velocity_m_s),
+        check_lattice_speed(config, norm(config.boundaries[side].wall_velocity_m_s),
                             "wall speed", side);
         check_patch(config, side);
         check_inlet(config, side);

@@ -34,10 +34,7 @@ class LevelSetSolid final : public Solid {
         double low = 0, high = 1;
         for (int halving = 0; halving < 50; ++halving) {
             const double middle = 0.5 * (low + high);
-            Vec3 at;
-            for (int a = 0; a < 3; ++a) {
-                at[a] = outside[a] + middle * (inside[a] - outside[a]);
-            }
+            const Vec3 at = outside + middle * (inside - outside);
             (body_.level(at) < 0 ? high : low) = middle;
         }
         return high;
@@ -151,9 +148,8 @@ std::string in_words(const Vec3& cells, double spacing_m) {
 // smaller than a cell: the file is in another unit, and the message guesses which.
 void check_size(const StlSurface& body, const Bounds& bounds, const FluidConfig& config) {
     constexpr double larger = 20;
-    Vec3 size;
-    for (int a = 0; a < 3; ++a) size[a] = bounds.high[a] - bounds.low[a];
-    const double most = *std::ranges::max_element(size);
+    const Vec3 size = bounds.high - bounds.low;
+    const double most = std::ranges::max(size);
     const double room = *std::ranges::max_element(config.cells);
     if (most <= larger * room && most >= 1) return;
     std::string guess = "see that its unit is the file's";

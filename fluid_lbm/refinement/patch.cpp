@@ -106,9 +106,7 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
         }
     }
     const auto moved = [origin_m](const auto& of_point) {
-        return [=](const Vec3& x) {
-            return of_point({x[0] + origin_m[0], x[1] + origin_m[1], x[2] + origin_m[2]});
-        };
+        return [=](const Vec3& x) { return of_point(x + origin_m); };
     };
     for (Obstacle& obstacle : config.obstacles)
         obstacle.shape = seen_from(origin_m, obstacle.shape);

@@ -124,14 +124,12 @@ point_fields::Field<Gradient> GridValues::at(
             for (std::size_t i = 0; i < sx.count; ++i) {
                 const Vec3& value = values_t_[row + sx.first + i];
                 const double weight = sx.weight[i] * sy.weight[j] * sz.weight[k];
-                const std::array<double, 3> slope{
-                    sx.slope[i] * sy.weight[j] * sz.weight[k],
-                    sx.weight[i] * sy.slope[j] * sz.weight[k],
-                    sx.weight[i] * sy.weight[j] * sz.slope[k]};
+                const Vec3 slope{sx.slope[i] * sy.weight[j] * sz.weight[k],
+                                 sx.weight[i] * sy.slope[j] * sz.weight[k],
+                                 sx.weight[i] * sy.weight[j] * sz.slope[k]};
                 for (std::size_t c = 0; c < 3; ++c) {
                     out[c].value += weight * value[c];
-                    for (std::size_t d = 0; d < 3; ++d)
-                        out[c].d[d] += slope[d] * value[c];
+                    out[c].d += slope * value[c];
                 }
             }
         }

@@ -19,8 +19,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-using structure::Vec3;
-
 // Largest number of elements of a mesh that is solved, which takes about half a second.
 // Meshes are refined twice where this allows it: where few elements meet a clamp, a
 // single refinement shows too little of the error.

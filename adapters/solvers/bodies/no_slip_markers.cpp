@@ -19,8 +19,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-using structure::Vec3;
-
 // Depth below the rim at which the area of a single layer's markers ends [m]; negative,
 // outside of the rim, for thick sheets.
 double rim_depth_m(const KernelReach& reach, double thickness_m) {

@@ -16,8 +16,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-using structure::Vec3;
-
 // Position of a material point whose nodes are numbered over all bodies [m].
 Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes_m) {
     Vec3 x{};
@@ -145,7 +143,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
             {}};
         std::vector<bool> holds_body(points_.empty() ? 0 : points_.back().body + 1);
         const auto holds = [&](const Vec3& x) {
-            return made.solid->holds(fluid::in_cells(x, spacing_m_));
+            return made.solid->holds(x / spacing_m_);
         };
         for (const Point& point : points_) {
             const Vec3 x = place_of(point.at, start_m);
@@ -168,7 +166,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
 bool SolidsAround::comes_within(const Obstacle& obstacle, const Vec3& x,
                                 double distance_m) const {
     const auto outside = [&](const Vec3& at) {
-        return !obstacle.solid->holds(fluid::in_cells(at, spacing_m_));
+        return !obstacle.solid->holds(at / spacing_m_);
     };
     return !is_deep(outside, x, distance_m);
 }
@@ -202,7 +200,7 @@ SolidProximities SolidsAround::find(std::span<const Vec3> nodes_m, double reach_
         for (const Obstacle& obstacle : obstacles_) {
             if (!obstacle.free[p] || !comes_within(obstacle, x, reach_m)) continue;
             const auto holds = [&](const Vec3& at) {
-                return obstacle.solid->holds(fluid::in_cells(at, spacing_m_));
+                return obstacle.solid->holds(at / spacing_m_);
             };
             const double gap = is_deep(holds, x, deep_m_)           ? -INFINITY
                                : comes_within(obstacle, x, near_m_) ? 0.5 * near_m_

@@ -120,16 +120,13 @@ EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
     Motion m;
     for (std::size_t i = 0; i < state.mass_kg.size(); ++i) {
         const Vec3& v = state.velocity_m_s[i];
-        const double half_square = 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const double half_square = 0.5 * dot(v, v);
         const double once = whole_kg_[i] - inside_kg_[i];
         m.kinetic_whole += whole_kg_[i] * half_square;
         m.kinetic += once * half_square;
         m.kinetic_nodes += state.mass_kg[i] * half_square;
-        double fallen = 0;
-        for (std::size_t d = 0; d < 3; ++d) {
-            fallen +=
-                gravity_m_s2_[d] * (state.position_m[i][d] - start_.position_m[i][d]);
-        }
+        const double fallen =
+            dot(gravity_m_s2_, state.position_m[i] - start_.position_m[i]);
         m.work_weight += once * fallen;
         m.work_weight_nodes += state.mass_kg[i] * fallen;
     }

@@ -16,7 +16,6 @@
 namespace magfsi::lammps {
 
 using bodies::NodalState;
-using bodies::Vec3;
 
 // Energy of the fluid in the whole box [J]: the last two of the fluid's columns.
 struct FluidEnergy {

@@ -87,10 +87,7 @@ std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene,
         structure::Placement placement = scene.bodies[b].initial;
         placement.relaxed.reset();
         for (const auto& node : structure::placed_nodes(solids[b], placement, {0, 2})) {
-            for (std::size_t d = 0; d < 3; ++d) {
-                part[0][d] = std::min(part[0][d], node[d]);
-                part[1][d] = std::max(part[1][d], node[d]);
-            }
+            part = {lower(part[0], node), higher(part[1], node)};
         }
     }
     return parts;

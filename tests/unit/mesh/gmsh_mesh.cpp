@@ -99,9 +99,7 @@ TEST_P(EveryFormat, GivesTheBlockWithItsNames) {
     const PointLocator locator(block);
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         Vec3 centre{};
-        for (const int n : mesh.elements[e]) {
-            for (int d = 0; d < 3; ++d) centre[d] += 0.125 * mesh.nodes[n][d];
-        }
+        for (const int n : mesh.elements[e]) centre += 0.125 * mesh.nodes[n];
         const int same = locator.nearest(centre).element;
         for (int a = 0; a < 8; ++a) {
             // Gmsh merges points within 1e-8 of the model and writes 16 digits.

@@ -98,17 +98,12 @@ void Probes::add_supports(const NodalState& state,
         const std::size_t nodes = run_.input.bodies[b].mesh.nodes.size();
         auto& support_n = loads[b].support_n;
         support_n.resize(nodes);
-        for (std::size_t n = 0; n < nodes; ++n) {
-            for (std::size_t d = 0; d < 3; ++d) support_n[n][d] = -force_n[first + n][d];
-        }
+        for (std::size_t n = 0; n < nodes; ++n) support_n[n] = -force_n[first + n];
         for (const structure::PrescribedMotion& motion : run_.input.motions) {
             if (motion.body != b) continue;
             const auto a = structure::acceleration_m_s2(motion.course, time_s);
-            for (const int node : structure::moved_nodes(run_.input.bodies[b], motion)) {
-                const std::size_t n = node;
-                for (std::size_t d = 0; d < 3; ++d)
-                    support_n[n][d] += state.mass_kg[first + n] * a[d];
-            }
+            for (const int node : structure::moved_nodes(run_.input.bodies[b], motion))
+                support_n[node] += state.mass_kg[first + node] * a;
         }
         first += nodes;
     }

@@ -73,18 +73,12 @@ void FixMagtticeMotion::init() {
 // Forces see the mean velocity of the step, as they do for the atoms that velocity Verlet
 // has moved by half a step.
 void FixMagtticeMotion::initial_integrate(int) {
-    const Vec3 from = of_course(displacement_m, 1);
-    const Vec3 to = of_course(displacement_m, 0);
-    Vec3 gain{}, mean{};
-    for (std::size_t d = 0; d < 3; ++d) {
-        gain[d] = to[d] - from[d];
-        mean[d] = gain[d] / update->dt;
-    }
+    const Vec3 gain = of_course(displacement_m, 0) - of_course(displacement_m, 1);
     for (int i = 0; i < atom->nlocal; ++i) {
         if ((atom->mask[i] & groupbit) == 0) continue;
-        for (std::size_t d = 0; d < 3; ++d) atom->x[i][d] += gain[d];
+        add_to(atom->x[i], gain);
     }
-    set_velocity(mean);
+    set_velocity(gain / update->dt);
 }
 
 void FixMagtticeMotion::final_integrate() {
