@@ -69,7 +69,8 @@ def tables():
     good = grid(lambda x, y, z: f"{x},{y},{z},1,2,3")
     tail = "\n".join(good.splitlines()[1:])
     magnetization = "x[{0}],y[{0}],z[{0}],Mx[kA/m],My[kA/m],Mz[kA/m]\n2,0.5,0.25,30,0,0\n"
-    return {"grid.csv": good, "tall.csv": good.replace("5", "90"), "larger.csv": good.replace("5", "9"), "uneven.csv": good.replace("-5", "-6"),
+    return {"grid.csv": good, "tall.csv": good.replace("5", "90"), "larger.csv": good.replace("5", "9"),
+            "uneven.csv": good.replace("-5", "-6"),
             "gap.csv": good[:good.rindex("5,5,5")], "utf16.csv": good.encode("utf-16"),
             "comma.csv": grid(lambda x, y, z: f"{x},0,{y},0,{z},0,1,0,2,0,3,0"), "bare.csv": tail,
             "expression.csv": good.replace("Bx[mT]", "2*Bx[mT]"), "unit.csv": good.replace("Bx[mT]", "Bx[mV]"),
