@@ -33,9 +33,18 @@ bool divides_all(const Vec3& box, double spacing) {
     return std::ranges::all_of(box, [=](double side) { return divides(side, spacing); });
 }
 
+// Least number of cells along an axis.
+int least_cells(const Fluid& fluid, std::size_t d) {
+    return fluid.boundaries[2 * d].kind == BoundaryKind::periodic ? 1 : min_cells;
+}
+
+bool has_cells(const Fluid& fluid, std::size_t d, double spacing) {
+    return fluid.box_m[d] / spacing >= least_cells(fluid, d) * (1 - divides_within);
+}
+
 // Advice for a spacing that does not divide the box: the nearest one that divides all
-// sides, else the nearest box of whole cells. Candidates are taken from the shortest
-// side, which has the fewest cells.
+// sides and leaves cells enough, else the nearest box of whole cells. Candidates are
+// taken from the shortest side, which has the fewest cells.
 std::string advice(const Fluid& fluid) {
     const double wanted = fluid.spacing_m;
     const double shortest = std::ranges::min(fluid.box_m);
@@ -44,7 +53,8 @@ std::string advice(const Fluid& fluid) {
         double best = 0;
         for (const long n : {cells - away, cells + away}) {
             const double spacing = shortest / static_cast<double>(n);
-            if (divides_all(fluid.box_m, spacing) &&
+            if (divides_all(fluid.box_m, spacing) && has_cells(fluid, 0, spacing) &&
+                has_cells(fluid, 1, spacing) && has_cells(fluid, 2, spacing) &&
                 (best == 0 || std::abs(spacing - wanted) < std::abs(best - wanted)))
                 best = spacing;
         }
@@ -52,8 +62,9 @@ std::string advice(const Fluid& fluid) {
         if (best > 0) return fmt::format("the nearest is {:.9g} mm", 1e3 * best);
     }
     Vec3 box{};
-    for (int i = 0; i < 3; ++i)
-        box[i] = std::max(1.0, std::round(fluid.box_m[i] / wanted)) * wanted;
+    for (std::size_t i = 0; i < 3; ++i)
+        box[i] = wanted * std::max<double>(least_cells(fluid, i),
+                                           std::round(fluid.box_m[i] / wanted));
     return fmt::format("the nearest box is [{}, {}, {}]", metres(box[0]), metres(box[1]),
                        metres(box[2]));
 }
@@ -80,9 +91,8 @@ void check_spacing(const Fluid& fluid, const Marks& marks) {
     const Origin& here = marks.value({"fluid", "spacing"});
     for (std::size_t d = 0; d < 3; ++d) {
         const double side = fluid.box_m[d], cells = side / fluid.spacing_m;
-        require(fluid.boundaries[2 * d].kind == BoundaryKind::periodic ||
-                    cells >= min_cells * (1 - divides_within),
-                here, fmt::format("{:.3g} cells along {}", cells, axis_names[d]),
+        require(has_cells(fluid, d, fluid.spacing_m), here,
+                fmt::format("{:.3g} cells along {}", cells, axis_names[d]),
                 fmt::format("at least {} cells between walls", min_cells),
                 fmt::format("take a spacing of at most {}", metres(side / min_cells)));
         if (!divides(side, fluid.spacing_m))

@@ -100,8 +100,9 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
                 boundary.kind == BoundaryKind::pressure_outlet) {
                 refuse("the refined patch reaches the ", name_of(boundary.kind), " at ",
                        side_name[side],
-                       "; keep the bodies, or fluid.refinement.box, further from it, or "
-                       "make fluid.box larger");
+                       "; keep the bodies and their margin, or fluid.refinement.box, ",
+                       apart_cells * 2 * config.spacing_m,
+                       " m from it, or make fluid.box larger");
             }
         }
     }
