@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "structure/magnetics/magnetization.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -288,16 +289,20 @@ Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
 void NewtonSolver::fail(const Progress& state, const NodalLoads& load,
                         int worst_element) const {
     const auto response = problem_.response(state.x, load);
+    const Mesh& mesh = problem_.body().mesh;
+    const auto place = [](const Vec3& x) {
+        return fmt::format("at ({:.4g}, {:.4g}, {:.4g}) m at rest", x[0], x[1], x[2]);
+    };
     Eigen::Index worst = 0;
     response.residual_n.cwiseAbs().maxCoeff(&worst);
-    throw std::runtime_error(
-        fmt::format("body {}: no equilibrium at {:.3g} of the load after {} load steps "
-                    "and {} iterations; the residual is {:.2g} of the load, largest at "
-                    "node {}, and the smallest J is {:.3g} in element {}: use weaker "
-                    "loads, a finer mesh or more points on the way",
-                    problem_.body().name, state.load_factor, state.load_steps,
-                    state.iterations, problem_.relative_residual(response), worst / 3,
-                    response.smallest_j, worst_element));
+    throw std::runtime_error(fmt::format(
+        "body {}: no equilibrium at {:.3g} of the load after {} load steps "
+        "and {} iterations; the residual is {:.2g} of the load, largest at "
+        "the node {}, and the smallest J is {:.3g} in the element {}: use "
+        "weaker loads, a finer mesh or more points on the way",
+        problem_.body().name, state.load_factor, state.load_steps, state.iterations,
+        problem_.relative_residual(response), place(mesh.nodes[worst / 3]),
+        response.smallest_j, place(element_centre(mesh, worst_element))));
 }
 
 std::string unresolved_loads(const std::string& body) {
