@@ -178,7 +178,7 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
             (void)settle(state, load);
         }
         if (state.load_steps > max_load_steps) {
-            fail(state, load, found.response.element);
+            fail(state, load);
         }
         settled = false;
         step = (ahead - reached) * std::clamp(room, 1.0, 4.0);
@@ -191,7 +191,7 @@ void NewtonSolver::release_at(Progress& state, const NodalLoads& load) {
     state.iterations += found.iterations;
     state.take(found);
     ++state.releases;
-    if (!found.converged) fail(state, load, found.response.element);
+    if (!found.converged) fail(state, load);
 }
 
 void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
@@ -218,7 +218,7 @@ void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
     }
     ++state.releases;
     if (!std::isfinite(lowest)) {
-        fail(state, load, problem_.response(balanced, load).element);
+        fail(state, load);
     }
 }
 
@@ -286,8 +286,7 @@ Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
     return out;
 }
 
-void NewtonSolver::fail(const Progress& state, const NodalLoads& load,
-                        int worst_element) const {
+void NewtonSolver::fail(const Progress& state, const NodalLoads& load) const {
     const auto response = problem_.response(state.x, load);
     const Mesh& mesh = problem_.body().mesh;
     const auto place = [](const Vec3& x) {
@@ -302,7 +301,7 @@ void NewtonSolver::fail(const Progress& state, const NodalLoads& load,
         "weaker loads, a finer mesh or more points on the way",
         problem_.body().name, state.load_factor, state.load_steps, state.iterations,
         problem_.relative_residual(response), place(mesh.nodes[worst / 3]),
-        response.smallest_j, place(element_centre(mesh, worst_element))));
+        response.smallest_j, place(element_centre(mesh, response.element))));
 }
 
 std::string unresolved_loads(const std::string& body) {
