@@ -52,8 +52,11 @@ class Controller:
 STUDY = """\
 name: paths
 scene: die szene.yaml
+right_within: 5 %
 axes:
   viscosity: {key: fluid.viscosity, values: [10 mm2/s]}
+errors:
+  end: {probe: "robot.com_z[m]", norm: final, reference: 0.004}
 """
 PLAIN, STRANGE = "plain", "Ordner mit Ärger/ü b"
 NAMES = ("ein stein.stl", "feld ä.csv", "gitter ö.csv", "magnet ß.csv", "zwei würfel.msh", "lenker é.py")
@@ -87,8 +90,8 @@ class Paths(unittest.TestCase):
         cls.run_ = cls.ran(cls.top, "lauf é 1")
 
     @classmethod
-    def call(cls, *words, cwd=None):
-        return testing.output_of(*words, cwd=cwd or cls.top, stdin=subprocess.DEVNULL)
+    def call(cls, *words, cwd=None, **named):
+        return testing.output_of(*words, cwd=cwd or cls.top, stdin=subprocess.DEVNULL, **named)
 
     @classmethod
     def ran(cls, top, out, *more):
@@ -123,8 +126,14 @@ class Paths(unittest.TestCase):
     def test_the_script_of_a_run_and_its_lattice(self):
         self.call(runs.BIN / "magfsi", "lattice", "die szene.yaml", "--out", "gitter für lammps")
         self.assertTrue((self.top / "gitter für lammps/robot.lattice").exists())
-        self.assertIn("Loop time", self.call(runs.BIN / "magfsi-lammps", "-in",
-                                             "gitter für lammps/lammps.in", "-log", "none"))
+        # Both from within their folders; the grid's file is named as where the scene was read.
+        for folder in ("gitter für lammps", self.run_.name):
+            script = self.top / folder / "lammps.in"
+            self.assertIn("\nread_data bodies.data\n", script.read_text())
+            shutil.copy(self.top / NAMES[0], script.parent)
+            shutil.copy(self.top / NAMES[2], script.parent)
+            self.assertIn("Loop time", self.call(runs.BIN / "magfsi-lammps", "-in", "lammps.in", "-log",
+                                                 "none", cwd=script.parent, timeout=120))
 
     def test_pages_and_pictures(self):
         for command, *words in (("report", "lauf é 1", "lauf é 1", "--out", "seite ß.html"),
