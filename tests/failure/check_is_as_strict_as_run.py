@@ -91,7 +91,8 @@ class CheckAndRun(unittest.TestCase):
         for method in ("newton", "dynamics"):
             # The second bar begins at 7 mm.
             self.refused("body b is in 2 parts that share no node, and the part with the "
-                         "element at (0.0075, 0.0005, 0.0005) m is not held", {"time.equilibrium.method": method}, (6, 5))
+                         "element at (0.0075, 0.0005, 0.0005) m is not held",
+                         {"time.equilibrium.method": method}, (6, 5))
 
     def test_weight_that_nothing_holds(self):
         self.refused("body b has weight but no clamp", {"bodies.b.clamps": ""})

@@ -196,6 +196,15 @@ TEST(Hash, of_the_states_ignores_what_changes_none) {
     EXPECT_EQ(state("checkpoint.max_retries=3"), as_it_is);
 }
 
+// An effect of which nothing is said but that it is there is another scene.
+TEST(Hash, knows_an_effect_by_its_empty_map) {
+    const Scene without = read_scene(test_folder / "complete/swimmer.yaml");
+    const Scene with = read_scene(test_folder / "complete/swimmer.yaml", {"contact={}"});
+    EXPECT_TRUE(effective_scene(with).contains("contact"));
+    EXPECT_NE(with.hash, without.hash);
+    EXPECT_NE(state_hash(with), state_hash(without));
+}
+
 TEST(Hash, is_that_of_the_values) {
     const Scene s = read_scene(test_folder / "minimal.yaml");
     EXPECT_EQ(s.hash, scene_hash(s));
