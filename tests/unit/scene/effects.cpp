@@ -2,6 +2,7 @@
 // What a scene comes to: effects, those that can do nothing, hash.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
