@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "adapters/app/participants.h"
 #include "adapters/scene/checks.h"
@@ -19,6 +20,7 @@
 #include "adapters/solvers/bodies/probe_row.h"
 #include "adapters/solvers/bodies/surroundings.h"
 #include "adapters/solvers/lammps/substeps.h"
+#include "base/words/likely_unit.h"
 #include "structure/equilibrium/static_problem.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
@@ -167,15 +169,33 @@ void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& so
 }
 
 // Checks what depends on the mesh: number of elements and markers, places of probes.
+// Refuses a body of a mesh file that is far larger than the box of the fluid or than any
+// robot: the file is in another unit.
+void check_size(const scene::Scene& scene, const scene::Body& body,
+                const structure::Vec3& size_m) {
+    const auto* mesh = std::get_if<structure::MeshFile>(&body.mesh);
+    if (mesh == nullptr) return;
+    constexpr double larger = 20, least_m = 1e-5, largest_robot_m = 10;
+    const double room_m =
+        scene.fluid ? std::ranges::max(scene.fluid->box_m) : largest_robot_m / larger;
+    const double most_m = std::ranges::max(size_m);
+    scene::require(most_m <= larger * room_m, {fmt::format("body '{}'", body.name)},
+                   fmt::format("the mesh {}, which spans {:.3g} x {:.3g} x {:.3g} m",
+                               mesh->file, size_m[0], size_m[1], size_m[2]),
+                   fmt::format("at most {:.3g} m here", larger * room_m),
+                   words::likely_unit(most_m, mesh->unit_m, least_m, 2 * room_m));
+}
+
 // Throws std::invalid_argument as the run would.
 void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    const structure::Body& solid) {
+    const structure::Vec3 size_m = structure::bounds(solid.mesh.nodes).extent_m();
+    check_size(scene, body, size_m);
     const double elements = solid.mesh.elements.size();
     scene::require(elements <= scene::max_elements, {fmt::format("body '{}'", body.name)},
                    fmt::format("a mesh of {} elements", elements),
                    fmt::format("at most {:.0f}", scene::max_elements));
-    const double markers =
-        scene::most_markers(scene, structure::bounds(solid.mesh.nodes).extent_m());
+    const double markers = scene::most_markers(scene, size_m);
     scene::require(markers <= scene::max_markers, {fmt::format("body '{}'", body.name)},
                    fmt::format("up to {:.3g} markers", markers),
                    fmt::format("at most {:.0f}", scene::max_markers),
@@ -226,10 +246,16 @@ double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
         for (std::size_t e = 0; e < elements; e += 1 + elements / most_places) {
             const auto corners = structure::gather(nodes_m, solid.mesh.elements[e]);
             const Eigen::Vector3d middle = corners.colwise().mean();
-            const auto there = sources.sample({middle[0], middle[1], middle[2]});
-            strongest = std::max(
-                strongest,
-                (there.field_t + Eigen::Vector3d(even[0], even[1], even[2])).norm());
+            try {
+                const auto there = sources.sample({middle[0], middle[1], middle[2]});
+                strongest = std::max(
+                    strongest,
+                    (there.field_t + Eigen::Vector3d(even[0], even[1], even[2])).norm());
+            } catch (
+                const std::runtime_error& left) {  // a fault of the scene before a run
+                throw std::invalid_argument(
+                    fmt::format("body '{}': {}", body.name, left.what()));
+            }
         }
     }
     return strongest;

@@ -39,7 +39,7 @@ int write(const LatticeOptions& options) {
     std::string text =
         fmt::format("# {}: runs with magfsi lammps -in lammps.in{}\n", scene.name,
                     scene.fluid ? "; without the fluid, which only magfsi run has" : "");
-    for (const std::string& line : script.setup) text += line + "\n";
+    text += text_of(script);
     if (!scene.time.equilibrium)
         text += fmt::format("run {:.0f}\n", scene.time.end_s / steps.lammps_step_s);
     output::write_atomically(options.out / "lammps.in", text);

@@ -101,7 +101,11 @@ class JsonWriter {
     }
     template <class T>
     void write(std::optional<T>& value) {
-        if (value) write(*value);
+        if (!value) return;
+        write(*value);
+        // An effect without a value of its own, such as contact: {}, is in the scene.
+        if constexpr (std::is_class_v<T> && !requires { value->begin(); })
+            if (json_.is_null()) json_ = nlohmann::ordered_json::object();
     }
     template <class List>
     void write_list(List& list) {

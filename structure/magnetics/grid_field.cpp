@@ -109,8 +109,8 @@ point_fields::Field<Gradient> GridValues::at(
         if (x[d].value < axis.front() - slack || x[d].value > axis.back() + slack) {
             throw std::runtime_error(fmt::format(
                 "a body has left the grid of the field: it is at {} = {:.6g} m of the "
-                "grid, which reaches from {:g} to {:g} m; take a larger grid, or hold "
-                "the body inside",
+                "grid, which reaches from {:g} to {:g} m; take a larger grid, hold the "
+                "body inside, or see that the grid's lengths are in the right unit",
                 "xyz"[d], x[d].value, axis.front(), axis.back()));
         }
         along[d] = stencil(x[d].value, axis);

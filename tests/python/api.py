@@ -29,7 +29,9 @@ class Scenes(unittest.TestCase):
             scene["fluid.colour"]
 
     def test_an_empty_map_is_an_effect_with_its_defaults(self):
-        self.assertEqual(magfsi.load(STRIP, {"contact": {}}).settings["contact"], "{}")
+        scene = magfsi.load(STRIP, {"contact": {}})
+        self.assertEqual(scene.settings["contact"], "{}")
+        self.assertIn("contact", scene.values)
 
     def test_a_wrong_scene_is_one_clear_error(self):
         with self.assertRaisesRegex(magfsi.SceneError, "viscosity: found .*allowed") as raised:

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/words/likely_unit.h"
 #include "fluid_lbm/obstacle/solid.h"
 #include "structure/mesh/voxel_mesh.h"
 
@@ -27,19 +28,21 @@ std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
                                 const structure::VoxelMesh& voxels) {
     constexpr double rounding = 1e-5;  // a file has its lengths to seven digits
     std::array<int, 3> cubes{};
+    structure::Vec3 size_m;
+    for (std::size_t d = 0; d < 3; ++d) size_m[d] = bounds_m.high[d] - bounds_m.low[d];
     double all = 1;
     for (std::size_t d = 0; d < 3; ++d) {
-        const double extent =
-            (bounds_m.high[d] - bounds_m.low[d]) / voxels.spacing_m - rounding;
+        const double extent = size_m[d] / voxels.spacing_m - rounding;
         const double whole = std::max(1.0, std::ceil(extent));
         all *= whole;
         if (!(all <= most_cubes))
             throw std::invalid_argument(fmt::format(
                 "{}, {:.4g} x {:.4g} x {:.4g} m large, lies in more than {:g} cubes of "
-                "{:g} m; take a larger spacing, or see that the unit is the file's",
-                voxels.file, bounds_m.high[0] - bounds_m.low[0],
-                bounds_m.high[1] - bounds_m.low[1], bounds_m.high[2] - bounds_m.low[2],
-                most_cubes, voxels.spacing_m));
+                "{:g} m; take a larger spacing, or {}",
+                voxels.file, size_m[0], size_m[1], size_m[2], most_cubes,
+                voxels.spacing_m,
+                words::likely_unit(std::ranges::max(size_m), voxels.unit_m,
+                                   2 * voxels.spacing_m, 500 * voxels.spacing_m)));
         cubes[d] = whole;
     }
     return cubes;

@@ -73,11 +73,7 @@ void write_script(const coupler::Session& session, const structure::LammpsScript
     if (session.world().coupled()) {
         text += "# The coupled run adds the fluid's force: fix fluid all magfsi/fluid\n";
     }
-    for (const std::string& line : script.setup) {
-        // LAMMPS cannot read this path: the script is run from within the folder.
-        text += line.starts_with("read_data /proc/") ? "read_data bodies.data" : line;
-        text += '\n';
-    }
+    text += text_of(script);
     text += fmt::format("run {}\n", steps);
     output::write_atomically(session.out() / "lammps.in", text);
 }

@@ -8,6 +8,7 @@
 // atom's start, refuses reset_timestep, and has no phase and no ramp.)
 #include "atom.h"
 #include "error.h"
+#include "modify.h"
 #include "update.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,8 @@ class FixMagtticeMotion : public LAMMPS_NS::Fix {
   private:
     // Displacement or velocity of the course at the present step, or some steps ago.
     Vec3 of_course(Vec3 (*what)(const MotionCourse&, double time_s), int steps_ago) const;
+    // Fails if another fix integrates an atom of the group, which would move twice.
+    void refuse_integrated() const;
     // Sets the velocity of all atoms in the group.
     void set_velocity(const Vec3& velocity_m_s);
 
@@ -65,8 +68,24 @@ Vec3 FixMagtticeMotion::of_course(Vec3 (*what)(const MotionCourse&, double time_
     }
 }
 
+void FixMagtticeMotion::refuse_integrated() const {
+    for (int f = 0; f < modify->nfix; ++f) {
+        const LAMMPS_NS::Fix& other = *modify->fix[f];
+        if (other.time_integrate == 0) continue;
+        for (int i = 0; i < atom->nlocal; ++i) {
+            const int mask = atom->mask[i];
+            if ((mask & groupbit) != 0 && (mask & other.groupbit) != 0)
+                fail(*error,
+                     "fix {} magttice/motion and fix {} {} both move atom {}; leave the "
+                     "atoms of the first out of the other's group",
+                     id, other.id, other.style, atom->tag[i]);
+        }
+    }
+}
+
 // Velocities are set before the first forces are evaluated and before ghosts get theirs.
 void FixMagtticeMotion::init() {
+    refuse_integrated();
     set_velocity(of_course(velocity_m_s, 0));
 }
 
