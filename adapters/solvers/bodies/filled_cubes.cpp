@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -156,35 +157,41 @@ std::vector<double> weights(const Cubes& cubes, double volume) {
     return out;
 }
 
-// Weights are rounded to multiples of 1/16 of a cube, so that there are few materials:
-// the elements of one material are computed together.
+// Weights are taken together that round to the same multiple of 1/16 of a cube, so that
+// there are few materials: the elements of one material are computed together.
 constexpr int parts_of_cube = 16;
 
-// Makes a region of the mesh for each weight, named after it; none if all cubes are
-// whole. The rounding error of a cut cube is carried over to the next one, so that the
-// sum of the weights is kept.
+// Makes a region of the mesh for the weights that round alike, named after their mean;
+// none if all cubes are whole. So the sum of the weights is kept, and cubes that are
+// alike remain so. A cube has at least one part.
 void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
                   const Cubes& cubes, double spacing_m) {
-    double left = 0;
-    std::vector<int> part;
+    constexpr double rounding = 1e-9;
+    constexpr int whole = 0;
+    struct Kind {
+        double sum = 0;
+        int count = 0, number = 0;
+    };
+    std::map<int, Kind> kinds;
+    std::vector<int> of;
     for (const structure::Hexahedron& element : mesh.elements) {
         const structure::Vec3& corner = mesh.nodes[element[0]];
         Place p{};
         for (std::size_t d = 0; d < 3; ++d) p[d] = std::lround(corner[d] / spacing_m);
-        const double exact = parts_of_cube * weight[cubes.number(p)];
-        const double wanted = exact == parts_of_cube ? exact : exact + left;
-        part.push_back(std::max<int>(1, std::lround(wanted)));
-        left = exact == parts_of_cube ? left : wanted - part.back();
+        const double exact = weight[cubes.number(p)];
+        const double held = std::max(1.0 / parts_of_cube, exact);
+        of.push_back(
+            exact == 1 ? whole
+                       : static_cast<int>(std::lround(parts_of_cube * held + rounding)));
+        kinds[of.back()].sum += held;
+        ++kinds[of.back()].count;
     }
-    std::vector<int> kinds = part;
-    std::ranges::sort(kinds);
-    const auto twice = std::ranges::unique(kinds);
-    kinds.erase(twice.begin(), twice.end());
-    if (kinds == std::vector{parts_of_cube}) return;
-    for (const int kind : kinds)
-        mesh.region_names.push_back(fmt::format("{}/{}", kind, parts_of_cube));
-    for (const int p : part)
-        mesh.region.push_back(std::ranges::lower_bound(kinds, p) - kinds.begin());
+    if (kinds.size() == 1 && kinds.contains(whole)) return;
+    for (auto& [parts, kind] : kinds) {
+        kind.number = static_cast<int>(mesh.region_names.size());
+        mesh.region_names.push_back(fmt::format("{:.9g}", kind.sum / kind.count));
+    }
+    for (const int kind : of) mesh.region.push_back(kinds[kind].number);
 }
 
 }  // namespace
@@ -212,7 +219,7 @@ structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
 }
 
 double weight_of_region(const structure::Mesh& mesh, int region) {
-    return std::stod(mesh.region_names[region]) / parts_of_cube;
+    return std::stod(mesh.region_names[region]);
 }
 
 void weigh(structure::Body& body) {
