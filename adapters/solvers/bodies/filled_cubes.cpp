@@ -98,32 +98,47 @@ void mark(const fluid::Solid& solid, Cubes& cubes) {
     }
 }
 
-// Sample points along each edge of a cube for the fraction that lies inside.
+// Sample points along each edge of a cube for the fraction that lies inside. They are by
+// an odd bit nearer to the middle than even ones, whose places are round fractions of the
+// cube: a face through them would be inside at one end of a body, outside at the other.
 constexpr int points_of_edge = 4;
+constexpr double points_apart = (1 - 1.3e-5) / points_of_edge;
+
+// Number of points of a cube that lie inside, `count` of them along each edge.
+int points_inside(const fluid::Solid& solid, const Place& p, int count, double apart) {
+    const auto at = [&](int i, int low) {
+        return low + 0.5 + (i - 0.5 * (count - 1)) * apart;
+    };
+    int inside = 0;
+    for (int n = 0; n < count * count * count; ++n)
+        inside += solid.holds({at(n % count, p[0]), at(n / count % count, p[1]),
+                               at(n / count / count, p[2])});
+    return inside;
+}
 
 // Determines `held` of each cube. Only cubes that the surface may cut are sampled: those
-// with a neighbour of the other kind, and filled ones at the edge of the grid.
+// with a neighbour of the other kind, and filled ones at the edge of the grid. A cube
+// with the surface through its centre is filled from a half on, on both sides of a body
+// alike.
 void measure(const fluid::Solid& solid, Cubes& cubes) {
     cubes.held.assign(cubes.filled.begin(), cubes.filled.end());
+    std::vector<std::size_t> on_surface;
     cubes.each([&](const Place& p) {
-        const char mine = cubes.filled[cubes.number(p)];
+        const std::size_t number = cubes.number(p);
+        const char mine = cubes.filled[number];
         bool cut = std::ranges::any_of(std::array{0, 1, 2}, [&](int d) {
             return mine != 0 && (p[d] == 0 || p[d] + 1 == cubes.count[d]);
         });
         cubes.around(p, false,
                      [&](std::size_t q) { cut = cut || cubes.filled[q] != mine; });
         if (!cut) return;
-        int inside = 0;
-        for (int n = 0; n < points_of_edge * points_of_edge * points_of_edge; ++n) {
-            const auto at = [](int i, int low) {
-                return low + (i + 0.5) / points_of_edge;
-            };
-            inside += solid.holds({at(n % points_of_edge, p[0]),
-                                   at(n / points_of_edge % points_of_edge, p[1]),
-                                   at(n / points_of_edge / points_of_edge, p[2])});
-        }
-        cubes.held[cubes.number(p)] = inside / std::pow(points_of_edge, 3);
+        cubes.held[number] = points_inside(solid, p, points_of_edge, points_apart) /
+                             std::pow(points_of_edge, 3);
+        const int at_centre = points_inside(solid, p, 2, 2e-5);
+        if (at_centre != 0 && at_centre != 8) on_surface.push_back(number);
     });
+    for (const std::size_t number : on_surface)
+        cubes.filled[number] = cubes.held[number] >= 0.5;
 }
 
 // Weight of each cube: its own fraction inside plus equal shares of the fractions of
@@ -208,9 +223,9 @@ structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
         surface, voxels.spacing_m,
         {{}, {1.0 * cubes.count[0], 1.0 * cubes.count[1], 1.0 * cubes.count[2]}});
     mark(*solid, cubes);
+    measure(*solid, cubes);
     structure::Mesh mesh =
         structure::voxel_mesh(cubes.count, voxels.spacing_m, cubes.filled);
-    measure(*solid, cubes);
     name_regions(mesh, weights(cubes, extent.volume_m3 / std::pow(voxels.spacing_m, 3)),
                  cubes, voxels.spacing_m);
     for (structure::Vec3& x : mesh.nodes)
