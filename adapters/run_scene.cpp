@@ -26,7 +26,7 @@ namespace {
 double given_speed(const scene::Fluid& fluid) {
     double largest = 0;
     const auto compare = [&](const scene::Vec3& v) {
-        largest = std::max(largest, std::hypot(v[0], v[1], v[2]));
+        largest = std::max(largest, norm(v));
     };
     for (const fluid::Boundary& side : fluid.boundaries) {
         compare(side.wall_velocity_m_s);

@@ -41,12 +41,12 @@ class Participant {
         : scene_(scene),
           session_(session),
           own_(std::move(own)),
-          coupling_(
+          coupling_(coupler::make_structure_coupling(
               session, *own_.solver,
               coupler::grid_from_text(coupler::swap_text(
                   session.world(), "", coupler::no_timeout_s, "description of the grid")),
-              numbered(std::move(own_.markers), session.world().local())) {
-        coupling_.add_tasks(tasks_);
+              numbered(std::move(own_.markers), session.world().local()))) {
+        coupling_->add_tasks(tasks_);
         if (scene.probes) add_probes();
         if (!session.world().leads()) return;
         progress_ = coupler::progress_on_stdout(session, mode);
@@ -58,7 +58,7 @@ class Participant {
     void run() {
         coupler::log_effects(session_);
         coupler::log_steps(session_, tasks_);
-        coupling_.begin();
+        coupling_->begin();
         if (scene_.probes) write_probes();
         const double start = output::steady_seconds();
         while (session_.running()) tasks_.run();
@@ -97,7 +97,7 @@ class Participant {
         std::vector<coupler::ParticipantReport> reports{
             coupler::basic_report(session_.world(), tasks_)};
         const auto boundary =
-            coupler::boundary_summary(coupling_.slip(), session_.plan().given_speed_m_s);
+            coupler::boundary_summary(coupling_->slip(), session_.plan().given_speed_m_s);
         reports.front().add(boundary);
         reports.push_back(coupler::receive_report(session_));
         if (!session_.world().leads()) return;
@@ -109,7 +109,7 @@ class Participant {
     const scene::Scene& scene_;
     coupler::Session& session_;
     OwnStructure own_;
-    coupler::StructureCoupling coupling_;
+    std::unique_ptr<coupler::StructureCoupling> coupling_;
     coupler::TaskList tasks_;
     std::vector<std::string> fluid_columns_;
     std::unique_ptr<output::ProbeFile> probes_;  // on the leading rank

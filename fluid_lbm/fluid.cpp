@@ -40,12 +40,9 @@ LocalFlow flow_at(const FluidConfig& config, const Vec3& centre_m) {
     if (config.initial_pressure) {
         flow.density_excess = config.initial_pressure(centre_m) / unit.pressure_pa();
     }
-    const Vec3 half_force = half_body_force(config);
-    for (int a = 0; a < 3; ++a)
-        flow.velocity[a] = -half_force[a] / (1 + flow.density_excess);
+    flow.velocity = -half_body_force(config) / (1 + flow.density_excess);
     if (!config.initial_velocity) return flow;
-    const Vec3 u = config.initial_velocity(centre_m);
-    for (int a = 0; a < 3; ++a) flow.velocity[a] += u[a] / unit.velocity_m_s();
+    flow.velocity += config.initial_velocity(centre_m) / unit.velocity_m_s();
     for (int b = 0; b < 3; ++b) {
         Vec3 low = centre_m, high = centre_m;
         low[b] -= config.spacing_m / 2;

@@ -37,7 +37,7 @@ struct Enstrophy {
 
 // Flow through the fluid's part of a plane across the box.
 struct PlaneFlow {
-    double flow_m3_s = 0;    // volume flow, positive along the axis
+    double flow_m3_s = 0;    // flow of mass over the density at rest, along the axis
     Vec3 momentum_flux_n{};  // integral of rho u u_n; pressure not included
     double pressure_pa = 0;  // gauge pressure, mean over the plane
 };

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -112,12 +113,17 @@ struct Inlet {
 // does.
 struct Rectangle {
     std::array<double, 2> centre_m{}, size_m{};
+    double area_m2() const { return size_m[0] * size_m[1]; }
 };
 struct Disc {
     std::array<double, 2> centre_m{};
     double diameter_m = 0;
+    double area_m2() const { return std::numbers::pi * diameter_m * diameter_m / 4; }
 };
 using Patch = std::variant<Rectangle, Disc>;
+inline double area_m2(const Patch& patch) {
+    return std::visit([](const auto& shape) { return shape.area_m2(); }, patch);
+}
 
 // One side of the box.
 struct Boundary {

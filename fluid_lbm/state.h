@@ -71,7 +71,7 @@ struct Fluid::State {
     const CellBox& owned() const { return decomposition.boxes[comm.rank]; }
     // View of the state before collision. It is complete between two steps in either
     // arrangement: ghost rows are filled and walls applied.
-    View view() const { return {populations, layout, arrangement, kernels}; }
+    View view() const { return {populations, layout, arrangement, kernels, parameters}; }
     std::size_t cells() const {  // cells that this rank owns
         return static_cast<std::size_t>(layout.nx) * layout.ny * layout.nz;
     }

@@ -12,8 +12,8 @@ using State = Fluid::State;
 // earliest step that found one.
 void sweep_boxes(State& s, std::span<const RowBox> boxes) {
     for (const RowBox& box : boxes) {
-        const auto found = sweep(s.view(), s.forces ? &*s.forces : nullptr, s.parameters,
-                                 box, s.needed().x_ends);
+        const auto found =
+            sweep(s.view(), s.forces ? &*s.forces : nullptr, box, s.needed().x_ends);
         if (!found) continue;
         const bool first =
             !s.invalid || (s.invalid_step == s.steps_done && found->before(*s.invalid));

@@ -76,13 +76,12 @@ Compiled& compiled(const std::string& si) {
 // no value before it: derivatives at the start are those at 20 us.
 constexpr double apart_s = 1e-5;
 
-std::array<double, 3> difference(const std::array<Formula, 3>& place_m, double time_s,
-                                 const std::array<double, 5>& weight, double scale) {
-    std::array<double, 3> sum{};
+Vec3 difference(const std::array<Formula, 3>& place_m, double time_s,
+                const std::array<double, 5>& weight, double scale) {
+    Vec3 sum{};
     const double middle_s = std::max(time_s, 2 * apart_s);
     for (int i = -2; i <= 2; ++i) {
-        const auto there = value_at(place_m, middle_s + i * apart_s);
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += weight[i + 2] * there[d] / scale;
+        sum += weight[i + 2] * value_at(place_m, middle_s + i * apart_s) / scale;
     }
     return sum;
 }
@@ -107,24 +106,20 @@ double value_at(const std::string& si, double time_s) {
     return value;
 }
 
-std::array<double, 3> value_at(const std::array<Formula, 3>& component, double time_s) {
-    std::array<double, 3> out{};
-    for (std::size_t d = 0; d < 3; ++d) out[d] = value_at(component[d].si, time_s);
-    return out;
+Vec3 value_at(const std::array<Formula, 3>& component, double time_s) {
+    const auto& [x, y, z] = component;
+    return {value_at(x.si, time_s), value_at(y.si, time_s), value_at(z.si, time_s)};
 }
 
-std::array<double, 3> displacement(const std::array<Formula, 3>& place_m, double time_s) {
-    auto out = value_at(place_m, time_s);
-    const auto start = value_at(place_m, 0);
-    for (std::size_t d = 0; d < 3; ++d) out[d] -= start[d];
-    return out;
+Vec3 displacement(const std::array<Formula, 3>& place_m, double time_s) {
+    return value_at(place_m, time_s) - value_at(place_m, 0);
 }
 
-std::array<double, 3> velocity(const std::array<Formula, 3>& place_m, double time_s) {
+Vec3 velocity(const std::array<Formula, 3>& place_m, double time_s) {
     return difference(place_m, time_s, {1, -8, 0, 8, -1}, 12 * apart_s);
 }
 
-std::array<double, 3> acceleration(const std::array<Formula, 3>& place_m, double time_s) {
+Vec3 acceleration(const std::array<Formula, 3>& place_m, double time_s) {
     return difference(place_m, time_s, {-1, 16, -30, 16, -1}, 12 * apart_s * apart_s);
 }
 

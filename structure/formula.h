@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include "base/vector/vec3.h"
+
 namespace magfsi::structure {
 
 // A formula of the time t [s]. written: the text of the scene, with units. si: the same
@@ -20,13 +22,13 @@ struct Formula {
 double value_at(const std::string& si, double time_s);
 
 // The same for three formulas, the components along x, y and z.
-std::array<double, 3> value_at(const std::array<Formula, 3>& component, double time_s);
+Vec3 value_at(const std::array<Formula, 3>& component, double time_s);
 
 // Displacement [m] from the place at time 0, velocity [m/s] and acceleration [m/s2] of a
 // point whose place is given by formulas. The derivatives are finite differences.
-std::array<double, 3> displacement(const std::array<Formula, 3>& place_m, double time_s);
-std::array<double, 3> velocity(const std::array<Formula, 3>& place_m, double time_s);
-std::array<double, 3> acceleration(const std::array<Formula, 3>& place_m, double time_s);
+Vec3 displacement(const std::array<Formula, 3>& place_m, double time_s);
+Vec3 velocity(const std::array<Formula, 3>& place_m, double time_s);
+Vec3 acceleration(const std::array<Formula, 3>& place_m, double time_s);
 
 // value_at for one formula, except that NaN and infinity are returned instead of thrown.
 double value_or_nan(const std::string& si, double time_s);

@@ -16,25 +16,21 @@ namespace {
 
 using std::numbers::pi;
 
-Vec3 times(double factor, const Vec3& v) {
-    return {factor * v[0], factor * v[1], factor * v[2]};
-}
-
 // Displacement, velocity and acceleration of each kind of course, and `way`, a vector
 // with a component other than 0 along each axis on which the course moves its nodes.
 Vec3 displacement(const Oscillation& o, double time_s) {
-    return times(
-        std::sin(2 * pi * o.frequency_hz * time_s + o.phase_rad) - std::sin(o.phase_rad),
-        o.amplitude_m);
+    return (std::sin(2 * pi * o.frequency_hz * time_s + o.phase_rad) -
+            std::sin(o.phase_rad)) *
+           o.amplitude_m;
 }
 Vec3 velocity(const Oscillation& o, double time_s) {
     const double omega = 2 * pi * o.frequency_hz;
-    return times(omega * std::cos(omega * time_s + o.phase_rad), o.amplitude_m);
+    return omega * std::cos(omega * time_s + o.phase_rad) * o.amplitude_m;
 }
 
 Vec3 acceleration(const Oscillation& o, double time_s) {
     const double omega = 2 * pi * o.frequency_hz;
-    return times(-omega * omega * std::sin(omega * time_s + o.phase_rad), o.amplitude_m);
+    return -omega * omega * std::sin(omega * time_s + o.phase_rad) * o.amplitude_m;
 }
 
 Vec3 way(const Oscillation& o) {
@@ -43,18 +39,18 @@ Vec3 way(const Oscillation& o) {
 
 Vec3 displacement(const DisplacementRamp& r, double time_s) {
     if (time_s >= r.duration_s) return r.displacement_m;
-    return times((1 - std::cos(pi * time_s / r.duration_s)) / 2, r.displacement_m);
+    return (1 - std::cos(pi * time_s / r.duration_s)) / 2 * r.displacement_m;
 }
 Vec3 velocity(const DisplacementRamp& r, double time_s) {
     if (time_s >= r.duration_s) return {};
     const double rate = pi / r.duration_s;
-    return times(rate * std::sin(rate * time_s) / 2, r.displacement_m);
+    return rate * std::sin(rate * time_s) / 2 * r.displacement_m;
 }
 
 Vec3 acceleration(const DisplacementRamp& r, double time_s) {
     if (time_s >= r.duration_s) return {};
     const double rate = pi / r.duration_s;
-    return times(rate * rate * std::cos(rate * time_s) / 2, r.displacement_m);
+    return rate * rate * std::cos(rate * time_s) / 2 * r.displacement_m;
 }
 
 Vec3 way(const DisplacementRamp& r) {

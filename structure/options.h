@@ -13,13 +13,13 @@
 #include <variant>
 #include <vector>
 
+#include "base/vector/vec3.h"
 #include "base/words/name_of.h"
 #include "structure/formula.h"
 
 namespace magfsi::structure {
 
-// A vector (x, y, z).
-using Vec3 = std::array<double, 3>;
+using magfsi::Vec3;
 
 // --- meshes -------------------------------------------------------------------------
 
@@ -29,6 +29,7 @@ struct Box {
     Vec3 size_m{};
     // Numbers of elements along x, y, z
     std::array<int, 3> elements{};
+    bool operator==(const Box&) const = default;
 };
 
 // Plate of parallelogram cells: the crease pattern of Miura-ori before folding (zigzag
@@ -41,18 +42,21 @@ struct ObliquePlate {
     double thickness_m = 0;
     std::array<int, 3> elements_per_cell{1, 1, 1};  // along a, along b, layers
     bool zigzag = true;  // true: each second row is sheared the other way
+    bool operator==(const ObliquePlate&) const = default;
 };
 
 // Hexahedra of a Gmsh file; its physical groups are regions and faces.
 struct MeshFile {
     std::string file;
     double unit_m = 1;  // length of the file's unit
+    bool operator==(const MeshFile&) const = default;
 };
 
 // Box that defines a face: the nodes inside it.
 struct FaceBox {
     std::string name;
     std::array<Vec3, 2> box_m{};  // lowest and highest corner, both included
+    bool operator==(const FaceBox&) const = default;
 };
 // Mesh of cubes: those of a regular grid whose middle lies inside the closed surface of
 // an STL file (mesh/voxel_mesh.h).
@@ -61,6 +65,7 @@ struct VoxelMesh {
     double spacing_m = 0;        // edge of the cubes
     double unit_m = 1;           // length of the file's unit
     std::vector<FaceBox> faces;  // further faces, by name
+    bool operator==(const VoxelMesh&) const = default;
 };
 
 // Block that is bent or wound along a curve: its middle line, in the elements' first
@@ -70,6 +75,7 @@ struct Arc {
     double angle_rad = 0;               // 2 pi gives a closed ring
     std::array<double, 2> section_m{};  // width and thickness
     std::array<int, 3> elements{};      // along the curve, the width and the thickness
+    bool operator==(const Arc&) const = default;
 };
 // Block wound along a helix: section and elements as for an arc, pitch per turn.
 struct Helix {
@@ -77,6 +83,7 @@ struct Helix {
     std::array<double, 2> section_m{};
     std::array<int, 3> elements{};
     bool left_handed = false;
+    bool operator==(const Helix&) const = default;
 };
 
 using MeshOptions = std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix>;

@@ -14,21 +14,11 @@
 namespace magfsi::structure {
 namespace {
 
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
-Vec3 divided(Vec3 v, double by) {
-    for (double& x : v) x /= by;
-    return v;
-}
-
 SignedDistance of(const Ball& ball, const Vec3& point) {
-    Vec3 way{};
-    for (std::size_t d = 0; d < 3; ++d) way[d] = point[d] - ball.centre_m[d];
-    const double r = length(way);
+    const Vec3 way = point - ball.centre_m;
+    const double r = norm(way);
     if (r == 0) return {-ball.radius_m, {0, 0, 1}};
-    return {r - ball.radius_m, divided(way, r)};
+    return {r - ball.radius_m, way / r};
 }
 
 // Signed distance to the intersection of n perpendicular slabs, such as a box. out:
@@ -40,12 +30,9 @@ SignedDistance of_faces(const std::array<double, n>& out,
     const std::size_t nearest = std::ranges::max_element(out) - out.begin();
     if (!(out[nearest] > 0)) return {out[nearest], outwards[nearest]};
     Vec3 way{};
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t d = 0; d < 3; ++d)
-            way[d] += std::max(0.0, out[i]) * outwards[i][d];
-    }
-    const double distance = length(way);
-    return {distance, divided(way, distance)};
+    for (std::size_t i = 0; i < n; ++i) way += std::max(0.0, out[i]) * outwards[i];
+    const double distance = norm(way);
+    return {distance, way / distance};
 }
 
 Vec3 along(std::size_t axis, double side) {
@@ -56,19 +43,18 @@ Vec3 along(std::size_t axis, double side) {
 
 SignedDistance of(const Rod& rod, const Vec3& point) {
     const std::size_t axis = rod.axis;
-    Vec3 across{};
-    for (std::size_t d = 0; d < 3; ++d) across[d] = point[d] - rod.centre_m[d];
+    Vec3 across = point - rod.centre_m;
     const double height = across[axis];
     across[axis] = 0;
-    const double r = length(across);
-    const Vec3 radial = r > 0 ? divided(across, r) : along((axis + 1) % 3, 1);
+    const double r = norm(across);
+    const Vec3 radial = r > 0 ? across / r : along((axis + 1) % 3, 1);
     if (!rod.half_length_m) return {r - rod.radius_m, radial};
     return of_faces<2>({r - rod.radius_m, std::abs(height) - *rod.half_length_m},
                        {radial, along(axis, height)});
 }
 
 SignedDistance of(const Brick& brick, const Vec3& point) {
-    std::array<double, 3> out{};
+    Vec3 out{};
     std::array<Vec3, 3> outwards{};
     for (std::size_t d = 0; d < 3; ++d) {
         const double from_middle = point[d] - 0.5 * (brick.low_m[d] + brick.high_m[d]);
@@ -82,11 +68,11 @@ SignedDistance of(const Brick& brick, const Vec3& point) {
 // which is ambiguous at edges.
 SignedDistance of(const Surface& surface, const Vec3& point) {
     const TriangleSurface::Nearest nearest = surface.triangles->nearest(point);
-    Vec3 way = surface::minus(point, nearest.at_m);
-    const double distance = length(way);
+    const Vec3 way = point - nearest.at_m;
+    const double distance = norm(way);
     if (distance == 0) return {0, nearest.normal};
     const double side = surface.triangles->holds(point) ? -1 : 1;
-    return {side * distance, divided(way, side * distance)};
+    return {side * distance, way / (side * distance)};
 }
 
 std::string words_for(const Ball& ball) {
@@ -133,12 +119,7 @@ int axis_from(const std::string& word) {
 }
 
 Bounds bounds_around(const Vec3& centre, const Vec3& half) {
-    Bounds bounds;
-    for (std::size_t d = 0; d < 3; ++d) {
-        bounds.low_m[d] = centre[d] - half[d];
-        bounds.high_m[d] = centre[d] + half[d];
-    }
-    return bounds;
+    return {centre - half, centre + half};
 }
 // Bounding boxes, infinite along an endless rod.
 Bounds bounds_of(const Ball& ball) {

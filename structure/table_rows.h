@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/vector/vec3.h"
+
 namespace magfsi::structure {
 
 // A place between two rows: (1 - share) of `row` plus `share` of `next`.
@@ -23,10 +25,8 @@ struct Between {
         if (value.size() == 1) return value.front();
         return value[row] + share * (value[next] - value[row]);
     }
-    std::array<double, 3> of(const std::vector<std::array<double, 3>>& value) const {
-        std::array<double, 3> out = value[row];
-        for (std::size_t d = 0; d < 3; ++d) out[d] += share * (value[next][d] - out[d]);
-        return out;
+    Vec3 of(const std::vector<Vec3>& value) const {
+        return value[row] + share * (value[next] - value[row]);
     }
 };
 

@@ -7,13 +7,9 @@
 namespace magfsi::structure {
 namespace {
 
-using surface::cross_product, surface::dot, surface::minus, surface::Triangle;
+using surface::Triangle;
 
 constexpr int most_in_a_leaf = 4;
-
-Vec3 along(const Vec3& from, double by, const Vec3& way) {
-    return {from[0] + by * way[0], from[1] + by * way[1], from[2] + by * way[2]};
-}
 
 double squared(const Vec3& v) {
     return dot(v, v);
@@ -23,23 +19,23 @@ double squared(const Vec3& v) {
 // projects to: a corner's, an edge's or the inside's (Ericson, Real-Time Collision
 // Detection (2005), section 5.1.5).
 Vec3 nearest_on(const Triangle& t, const Vec3& x) {
-    const Vec3 ab = minus(t[1], t[0]), ac = minus(t[2], t[0]);
-    const Vec3 ax = minus(x, t[0]), bx = minus(x, t[1]), cx = minus(x, t[2]);
+    const Vec3 ab = t[1] - t[0], ac = t[2] - t[0];
+    const Vec3 ax = x - t[0], bx = x - t[1], cx = x - t[2];
     const double a1 = dot(ab, ax), a2 = dot(ac, ax);
     if (a1 <= 0 && a2 <= 0) return t[0];
     const double b1 = dot(ab, bx), b2 = dot(ac, bx);
     if (b1 >= 0 && b2 <= b1) return t[1];
     const double on_ab = a1 * b2 - b1 * a2;
-    if (on_ab <= 0 && a1 >= 0 && b1 <= 0) return along(t[0], a1 / (a1 - b1), ab);
+    if (on_ab <= 0 && a1 >= 0 && b1 <= 0) return t[0] + a1 / (a1 - b1) * ab;
     const double c1 = dot(ab, cx), c2 = dot(ac, cx);
     if (c2 >= 0 && c1 <= c2) return t[2];
     const double on_ac = c1 * a2 - a1 * c2;
-    if (on_ac <= 0 && a2 >= 0 && c2 <= 0) return along(t[0], a2 / (a2 - c2), ac);
+    if (on_ac <= 0 && a2 >= 0 && c2 <= 0) return t[0] + a2 / (a2 - c2) * ac;
     const double on_bc = b1 * c2 - c1 * b2, to_b = b2 - b1, to_c = c1 - c2;
     if (on_bc <= 0 && to_b >= 0 && to_c >= 0)
-        return along(t[1], to_b / (to_b + to_c), minus(t[2], t[1]));
+        return t[1] + to_b / (to_b + to_c) * (t[2] - t[1]);
     const double whole = on_ab + on_ac + on_bc;
-    return along(along(t[0], on_ac / whole, ab), on_ab / whole, ac);
+    return t[0] + on_ac / whole * ab + on_ab / whole * ac;
 }
 
 }  // namespace
@@ -60,7 +56,7 @@ TriangleSurface::TriangleSurface(surface::Closed read)
 // Marks the triangles inside another part of the surface: probe points just off both
 // sides, over the centroid and near the three corners, are all inside.
 void TriangleSurface::find_hidden() {
-    const Vec3 size = minus(boxes_.front().high_m, boxes_.front().low_m);
+    const Vec3 size = boxes_.front().high_m - boxes_.front().low_m;
     const double off = 1e-6 * std::sqrt(squared(size));
     hidden_.resize(triangles_.size());
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -68,13 +64,13 @@ void TriangleSurface::find_hidden() {
         const Vec3 n = surface::normal(t);
         const double length = std::sqrt(squared(n));
         Vec3 middle{};
-        for (const Vec3& corner : t) middle = along(middle, 1.0 / 3, corner);
+        for (const Vec3& corner : t) middle += 1.0 / 3 * corner;
         bool hidden = true;
         for (const double share : {0.0, 0.98}) {
             for (const Vec3& corner : t) {
-                const Vec3 at = along(middle, share, minus(corner, middle));
-                hidden = hidden && holds(along(at, off / length, n)) &&
-                         holds(along(at, -off / length, n));
+                const Vec3 at = middle + share * (corner - middle);
+                hidden = hidden && holds(at + off / length * n) &&
+                         holds(at - off / length * n);
             }
         }
         hidden_[i] = hidden;
@@ -90,17 +86,15 @@ int TriangleSurface::add_boxes(int first, int count) {
     const auto begin = triangles_.begin() + first;
     for (auto t = begin; t != begin + count; ++t) {
         for (const Vec3& corner : *t) {
-            for (std::size_t d = 0; d < 3; ++d) {
-                box.low_m[d] = std::min(box.low_m[d], corner[d]);
-                box.high_m[d] = std::max(box.high_m[d], corner[d]);
-            }
+            box.low_m = lower(box.low_m, corner);
+            box.high_m = higher(box.high_m, corner);
         }
     }
     if (count <= most_in_a_leaf) {
         box.first = first;
         box.count = count;
     } else {
-        const Vec3 edges = minus(box.high_m, box.low_m);
+        const Vec3 edges = box.high_m - box.low_m;
         const std::size_t d = std::ranges::max_element(edges) - edges.begin();
         const auto middle = [d](const Triangle& t) {
             return t[0][d] + t[1][d] + t[2][d];
@@ -161,7 +155,7 @@ TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
             if (!hidden_.empty() && hidden_[i]) return;
             const Triangle& t = triangles_[i];
             const Vec3 at = nearest_on(t, x);
-            const double to = squared(minus(x, at));
+            const double to = squared(x - at);
             if (!(to < least)) return;
             least = to;
             found.at_m = at;
@@ -180,7 +174,7 @@ TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
     look(look, 0);
     const Vec3 n = surface::normal(*of);
     const double length = std::sqrt(squared(n));
-    for (std::size_t d = 0; d < 3; ++d) found.normal[d] = n[d] / length;
+    found.normal = n / length;
     return found;
 }
 

@@ -57,9 +57,9 @@ struct Work {
     std::optional<PathWork> path;
 };
 
-// Counts the work of the scene on these ranks. Builds the meshes of all bodies and throws
-// std::invalid_argument where they or the solvers refuse the scene, as explain() does.
-Work work_of(const scene::Scene& scene, const Ranks& ranks);
+// Counts the work of the scene on these ranks. Throws std::invalid_argument where the
+// solvers refuse the scene, as explain() does.
+Work work_of(const scene::Scene& scene, const bodies::Solids& solids, const Ranks& ranks);
 
 // The calibration: seconds of this machine, measured once by `magfsi bench --calibrate`
 // and kept in the user's cache folder.
@@ -136,7 +136,8 @@ struct Prediction {
 
 // Predicts the cost of the scene on these ranks. Returns nullopt without a calibration
 // and for a fluid solver whose cost is not predicted (openfoam).
-std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks);
+std::optional<Prediction> prediction(const scene::Scene& scene,
+                                     const bodies::Solids& solids, const Ranks& ranks);
 
 // JSON object with the keys wall_s (null if unknown), memory_bytes (by participant) and
 // disk_bytes.
@@ -144,6 +145,7 @@ nlohmann::ordered_json to_json(const Prediction& prediction);
 
 // Text of `magfsi explain` on the cost: the prediction, or the command that makes one
 // possible.
-std::string explain_cost(const scene::Scene& scene, const Ranks& ranks);
+std::string explain_cost(const scene::Scene& scene, const bodies::Solids& solids,
+                         const Ranks& ranks);
 
 }  // namespace magfsi::launch

@@ -18,9 +18,7 @@
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
-#include "adapters/solvers/bodies/fluid_inside.h"
 #include "adapters/solvers/bodies/probe_row.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/fluids/fluid_probes.h"
 #include "adapters/solvers/lammps/substeps.h"
 #include "base/fitted/constants.h"
@@ -31,8 +29,7 @@ namespace {
 
 // Refuses a control.probes entry that names no column of probes.csv. The columns of the
 // energy audit ("audit.") are known only to the run and are passed here.
-void check_columns(const scene::Scene& scene) {
-    std::vector<structure::Body> solids = bodies::bodies_in_fluid(scene);
+void check_columns(const scene::Scene& scene, const bodies::Solids& solids) {
     bodies::NodalState start;
     for (const structure::Body& solid : solids) {
         start.position_m.insert(start.position_m.end(), solid.mesh.nodes.begin(),
@@ -50,8 +47,8 @@ void check_columns(const scene::Scene& scene) {
 }
 
 // The script's rights are named, since a scene may come from a stranger.
-std::string explain_control(const scene::Scene& scene) {
-    check_columns(scene);
+std::string explain_control(const scene::Scene& scene, const bodies::Solids& solids) {
+    check_columns(scene, solids);
     const scene::Control& control = *scene.control;
     return fmt::format(
         "\ncontrol\n  {}, a program that runs with your rights, sets the field every "
@@ -113,10 +110,10 @@ std::string recommended(const scene::Scene& scene, double min_ratio) {
 }
 
 // Scheme, cost, density ratio, explicit limit of the drag, and recommended scheme.
-std::string explain_coupling(const scene::Scene& scene) {
+std::string explain_coupling(const scene::Scene& scene, const bodies::Solids& solids) {
     const coupler::Coupling& coupling = *scene.coupling;
     const auto [low, high] = density_ratios(scene);
-    const lammps::Substeps s = lammps::choose_substeps(scene);
+    const lammps::Substeps s = lammps::choose_substeps(scene, solids);
     std::string text =
         fmt::format("\ncoupling ({})\n  {}\n  cost: {}\n",
                     scene::name_of(coupling.scheme), in_words(coupling), cost(coupling));
@@ -136,7 +133,8 @@ std::string explain_coupling(const scene::Scene& scene) {
 }  // namespace
 
 // Parts are left out for effects that the scene lacks.
-std::string explain(const scene::Scene& scene, const Ranks& ranks) {
+std::string explain(const scene::Scene& scene, const bodies::Solids& solids,
+                    const Ranks& ranks) {
     const int fluid_ranks = ranks.contains("fluid") ? ranks.at("fluid") : 1;
     std::string text = fmt::format("scene '{}'; effects in step order:\n", scene.name);
     for (const std::string& line : scene::effects_by_step(scene))
@@ -147,13 +145,13 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
         text += fmt::format("  warning: {}\n", line);
     for (const std::filesystem::path& file : scene::files_elsewhere(scene))
         text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
-    if (!scene.bodies.empty()) text += explain_structure(scene);
-    if (scene.control) text += explain_control(scene);
-    if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
-    if (scene.coupling && !scene.bodies.empty()) text += explain_coupling(scene);
+    if (!scene.bodies.empty()) text += explain_structure(scene, solids);
+    if (scene.control) text += explain_control(scene, solids);
+    if (scene.fluid) text += fluid_program(scene).explain(scene, solids, fluid_ranks);
+    if (scene.coupling && !scene.bodies.empty()) text += explain_coupling(scene, solids);
     // Files come last: one that cannot be read has then been refused with its place in
     // the scene by the part that uses it.
-    return text + explain_files(scene);
+    return text + explain_files(scene, solids);
 }
 
 // Warnings are found by their prefix in the text, so that every part of it may give some.
@@ -170,8 +168,8 @@ std::vector<std::string> warnings(const std::string& explanation) {
 }
 
 // Values that do not apply have no key.
-nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks,
-                             const std::string& explained) {
+nlohmann::ordered_json facts(const scene::Scene& scene, const bodies::Solids& solids,
+                             const Ranks& ranks, const std::string& explained) {
     nlohmann::ordered_json out;
     out["name"] = scene.name;
     out["scene_hash"] = fmt::format("{:016x}", scene.hash);
@@ -183,12 +181,13 @@ nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks,
                         {"step_s", *scene::coupled_step_s(scene)}};
     }
     if (!scene.bodies.empty() && !scene.time.equilibrium) {
-        const lammps::Substeps s = lammps::choose_substeps(scene);
+        const lammps::Substeps s = lammps::choose_substeps(scene, solids);
         out["structure"] = {{"step_s", s.lammps_step_s}, {"substeps", s.count}};
         if (std::isfinite(s.elastic_limit_s))
             out["structure"]["stable_step_s"] = s.elastic_limit_s;
     }
-    if (const auto cost = prediction(scene, ranks)) out["predicted"] = to_json(*cost);
+    if (const auto cost = prediction(scene, solids, ranks))
+        out["predicted"] = to_json(*cost);
     out["warnings"] = warnings(explained);
     out["scene"] = scene::effective_scene(scene);
     return out;

@@ -15,7 +15,8 @@ namespace magfsi::launch {
 // side by side, bodies, coupling and files. Memory is given for the ranks, or for one
 // rank where `ranks` has none. Builds the meshes; throws std::invalid_argument where the
 // run would refuse the scene.
-std::string explain(const scene::Scene& scene, const Ranks& ranks = {});
+std::string explain(const scene::Scene& scene, const bodies::Solids& solids,
+                    const Ranks& ranks = {});
 
 // Lines of the explanation that begin with "warning: ", without that prefix.
 std::vector<std::string> warnings(const std::string& explanation);
@@ -24,7 +25,7 @@ std::vector<std::string> warnings(const std::string& explanation);
 // ranks by role; spacing_m and step_s of a fluid; steps of moving bodies; the predicted
 // cost on a calibrated machine; the warnings in `explained`, the text of explain(); and
 // all values of the scene in SI units.
-nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks,
-                             const std::string& explained);
+nlohmann::ordered_json facts(const scene::Scene& scene, const bodies::Solids& solids,
+                             const Ranks& ranks, const std::string& explained);
 
 }  // namespace magfsi::launch

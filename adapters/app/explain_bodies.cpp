@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Text on each body, from the mesh that the run would build. Estimates beyond a threshold
+// Text on each body, from the mesh of the run. Estimates beyond a threshold
 // come with a warning and advice.
 #include "adapters/app/explain_bodies.h"
 
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "adapters/app/participants.h"
 #include "adapters/scene/checks.h"
@@ -17,9 +18,9 @@
 #include "adapters/solvers/bodies/marker_placement.h"
 #include "adapters/solvers/bodies/mesh_estimate.h"
 #include "adapters/solvers/bodies/probe_row.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/bodies/surroundings.h"
 #include "adapters/solvers/lammps/substeps.h"
+#include "base/words/likely_unit.h"
 #include "structure/equilibrium/static_problem.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
@@ -86,8 +87,9 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
 
 // Note on a thin sheet with a no-slip surface: a single layer of markers moves more or
 // less fluid along with it than the sheet's volume.
-std::string explain_layer(const scene::Scene& scene, std::size_t number) {
-    const auto layer = bodies::carried_layer(scene, number);
+std::string explain_layer(const scene::Scene& scene, std::size_t number,
+                          const structure::Mesh& mesh) {
+    const auto layer = bodies::carried_layer(scene, number, mesh);
     if (!layer) return "";
     const double spacing_m = scene.fluid->finest_spacing_m();
     std::string text = fmt::format(
@@ -167,15 +169,33 @@ void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& so
 }
 
 // Checks what depends on the mesh: number of elements and markers, places of probes.
+// Refuses a body of a mesh file that is far larger than the box of the fluid or than any
+// robot: the file is in another unit.
+void check_size(const scene::Scene& scene, const scene::Body& body,
+                const structure::Vec3& size_m) {
+    const auto* mesh = std::get_if<structure::MeshFile>(&body.mesh);
+    if (mesh == nullptr) return;
+    constexpr double larger = 20, least_m = 1e-5, largest_robot_m = 10;
+    const double room_m =
+        scene.fluid ? std::ranges::max(scene.fluid->box_m) : largest_robot_m / larger;
+    const double most_m = std::ranges::max(size_m);
+    scene::require(most_m <= larger * room_m, {fmt::format("body '{}'", body.name)},
+                   fmt::format("the mesh {}, which spans {:.3g} x {:.3g} x {:.3g} m",
+                               mesh->file, size_m[0], size_m[1], size_m[2]),
+                   fmt::format("at most {:.3g} m here", larger * room_m),
+                   words::likely_unit(most_m, mesh->unit_m, least_m, 2 * room_m));
+}
+
 // Throws std::invalid_argument as the run would.
 void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    const structure::Body& solid) {
+    const structure::Vec3 size_m = structure::bounds(solid.mesh.nodes).extent_m();
+    check_size(scene, body, size_m);
     const double elements = solid.mesh.elements.size();
     scene::require(elements <= scene::max_elements, {fmt::format("body '{}'", body.name)},
                    fmt::format("a mesh of {} elements", elements),
                    fmt::format("at most {:.0f}", scene::max_elements));
-    const double markers =
-        scene::most_markers(scene, structure::bounds(solid.mesh.nodes).extent_m());
+    const double markers = scene::most_markers(scene, size_m);
     scene::require(markers <= scene::max_markers, {fmt::format("body '{}'", body.name)},
                    fmt::format("up to {:.3g} markers", markers),
                    fmt::format("at most {:.0f}", scene::max_markers),
@@ -209,8 +229,7 @@ double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
                          const structure::Body& solid) {
     const scene::MagneticField& field = *scene.magnetic_field;
     if (field.sources.empty()) {
-        const structure::Vec3 b = bodies::strongest_field_t(scene);
-        return std::hypot(b[0], b[1], b[2]);
+        return norm(bodies::strongest_field_t(scene));
     }
     constexpr std::size_t most_places = 50;
     constexpr int instants = 100;
@@ -227,10 +246,16 @@ double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
         for (std::size_t e = 0; e < elements; e += 1 + elements / most_places) {
             const auto corners = structure::gather(nodes_m, solid.mesh.elements[e]);
             const Eigen::Vector3d middle = corners.colwise().mean();
-            const auto there = sources.sample({middle[0], middle[1], middle[2]});
-            strongest = std::max(
-                strongest,
-                (there.field_t + Eigen::Vector3d(even[0], even[1], even[2])).norm());
+            try {
+                const auto there = sources.sample({middle[0], middle[1], middle[2]});
+                strongest = std::max(
+                    strongest,
+                    (there.field_t + Eigen::Vector3d(even[0], even[1], even[2])).norm());
+            } catch (
+                const std::runtime_error& left) {  // a fault of the scene before a run
+                throw std::invalid_argument(
+                    fmt::format("body '{}': {}", body.name, left.what()));
+            }
         }
     }
     return strongest;
@@ -272,9 +297,8 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
     if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
     double largest = 0;
     for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
-        const structure::Vec3& m = solid.magnetization_a_m[e];
         largest =
-            std::max(largest, std::hypot(m[0], m[1], m[2]) /
+            std::max(largest, norm(solid.magnetization_a_m[e]) /
                                   structure::material_of(solid, e).shear_modulus_pa);
     }
     const double field_t = strongest_field_t(scene, body, solid);
@@ -318,17 +342,17 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers, forcing {}\n",
-                            bodies::place_markers(scene, number).size(),
+                            bodies::place_markers(scene, number, solid.mesh).size(),
                             name_of(*scene.coupling->immersed_boundary.forcing));
-        text += explain_layer(scene, number);
+        text += explain_layer(scene, number, solid.mesh);
     }
     return text;
 }
 
 // Coupled step, substeps, and the two limits of the substep: elastic waves and the
 // explicit drag.
-std::string explain_steps(const scene::Scene& scene) {
-    const lammps::Substeps s = lammps::choose_substeps(scene);
+std::string explain_steps(const scene::Scene& scene, const bodies::Solids& solids) {
+    const lammps::Substeps s = lammps::choose_substeps(scene, solids);
     std::string text =
         fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
                     s.coupled_step_s * 1e6, s.count, s.lammps_step_s * 1e6);
@@ -347,23 +371,21 @@ std::string explain_steps(const scene::Scene& scene) {
 
 // The field sources and, for Newton's method, the surroundings are built only for the
 // faults that show then.
-std::string explain_structure(const scene::Scene& scene) {
+std::string explain_structure(const scene::Scene& scene, const bodies::Solids& solids) {
     const bool newton = by_newton(scene);
     std::string text = newton ? "\nstructure (Newton's method)\n"
                               : "\nstructure (LAMMPS, fix magttice)\n";
-    std::vector<structure::Body> solids;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-        text +=
-            explain_body(scene, b, solids.emplace_back(bodies::to_body(scene.bodies[b])));
+    for (std::size_t b = 0; b < solids.size(); ++b)
+        text += explain_body(scene, b, solids[b]);
     if (scene.magnetic_field)  // reads and refuses as the run would
         (void)structure::SourceField(scene.magnetic_field->sources);
     if (newton) (void)bodies::to_surroundings(scene, solids);  // refuses as the run would
-    if (!scene.time.equilibrium) return text + explain_steps(scene);
+    if (!scene.time.equilibrium) return text + explain_steps(scene, solids);
     const double points = scene.time.end_s / scene::path_step_s(scene);
     text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);
     if (!newton) {
         text += fmt::format("  LAMMPS steps of {:.4g} us until at rest\n",
-                            lammps::choose_substeps(scene).lammps_step_s * 1e6);
+                            lammps::choose_substeps(scene, solids).lammps_step_s * 1e6);
     }
     return text;
 }

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::launch {
 
-// Builds all meshes and throws std::invalid_argument on faults that show only then, as
-// the run would.
-std::string explain_structure(const scene::Scene& scene);
+// Throws std::invalid_argument on faults that show only in the meshes, as the run would.
+std::string explain_structure(const scene::Scene& scene, const bodies::Solids& solids);
 
 }  // namespace magfsi::launch

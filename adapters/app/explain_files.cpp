@@ -21,7 +21,6 @@ namespace {
 
 using scene::format_si;
 using structure::Bounds;
-using structure::Vec3;
 
 // One line of the text.
 std::string line(const std::string& file, const std::string& what) {
@@ -42,7 +41,7 @@ std::string in_words(const Bounds& bounds) {
 std::string range(std::span<const Vec3> vectors, const char* unit) {
     double least = INFINITY, most = 0;
     for (const Vec3& v : vectors) {
-        const double length = std::hypot(v[0], v[1], v[2]);
+        const double length = norm(v);
         least = std::min(least, length);
         most = std::max(most, length);
     }
@@ -55,8 +54,7 @@ double longest_m(const Bounds& bounds) {
 }
 
 // Bounding box [m] of the body at its initial place, not bent.
-Bounds placed_bounds(const scene::Body& body) {
-    const structure::Body solid = bodies::to_body(body);
+Bounds placed_bounds(const scene::Body& body, const structure::Body& solid) {
     structure::Placement placement = body.initial;
     placement.relaxed.reset();
     return structure::bounds(structure::placed_nodes(solid, placement, {0, 2}));
@@ -66,9 +64,9 @@ Bounds placed_bounds(const scene::Body& body) {
 // (a grid read in metres instead of millimetres would hold the body within one cell), or
 // if the body starts outside the grid of a source at rest.
 std::string compare(const Bounds& grid, const structure::FieldSource& source,
-                    const scene::Body& body) {
+                    const scene::Body& body, const structure::Body& solid) {
     constexpr double larger = 300;
-    const Bounds at = placed_bounds(body);
+    const Bounds at = placed_bounds(body, solid);
     const double ratio = longest_m(grid) / longest_m(at);
     if (ratio > larger || ratio < 1 / larger)
         return fmt::format(
@@ -91,7 +89,7 @@ std::string compare(const Bounds& grid, const structure::FieldSource& source,
 
 // Points, extent, mean spacing and magnitudes of a grid, with a warning for each body
 // that does not fit it.
-std::string explain_grid(const scene::Scene& scene,
+std::string explain_grid(const scene::Scene& scene, const bodies::Solids& solids,
                          const structure::FieldSource& source) {
     const std::string& file = std::get<structure::GridField>(source.shape).file;
     const structure::GridValues grid = structure::read_grid(file);
@@ -110,7 +108,8 @@ std::string explain_grid(const scene::Scene& scene,
     std::string text =
         line(file, fmt::format("field at {} points, {}, spacing {}, |B| {}", points,
                                in_words(bounds), spacings, range(grid.values_t(), "T")));
-    for (const scene::Body& body : scene.bodies) text += compare(bounds, source, body);
+    for (std::size_t b = 0; b < solids.size(); ++b)
+        text += compare(bounds, source, scene.bodies[b], solids[b]);
     return text;
 }
 
@@ -148,14 +147,12 @@ std::string explain_surface(const fluid::StlSurface& surface) {
 }
 
 // Files of a body: its mesh or surface, and its table of magnetisation.
-std::string explain_body(const scene::Body& body) {
+std::string explain_body(const scene::Body& body, const structure::Mesh& mesh) {
     std::string text;
-    if (const auto* mesh = std::get_if<structure::MeshFile>(&body.mesh)) {
-        const structure::Mesh read = bodies::to_mesh(body);
+    if (const auto* gmsh = std::get_if<structure::MeshFile>(&body.mesh))
         text +=
-            line(mesh->file, fmt::format("mesh of {} elements, {}", read.elements.size(),
-                                         in_words(structure::bounds(read.nodes))));
-    }
+            line(gmsh->file, fmt::format("mesh of {} elements, {}", mesh.elements.size(),
+                                         in_words(structure::bounds(mesh.nodes))));
     if (const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh))
         text += explain_surface({voxels->file, voxels->unit_m, {}});
     if (!body.magnetization) return text;
@@ -176,16 +173,17 @@ std::string explain_body(const scene::Body& body) {
 
 }  // namespace
 
-std::string explain_files(const scene::Scene& scene) {
+std::string explain_files(const scene::Scene& scene, const bodies::Solids& solids) {
     std::string text;
-    for (const scene::Body& body : scene.bodies) text += explain_body(body);
+    for (std::size_t b = 0; b < solids.size(); ++b)
+        text += explain_body(scene.bodies[b], solids[b].mesh);
     if (scene.magnetic_field) {
         const scene::MagneticField& field = *scene.magnetic_field;
         if (field.uniform) text += explain_course(field.course);
         for (const scene::FieldTerm& term : field.plus) text += explain_course(term.law);
         for (const structure::FieldSource& source : field.sources) {
             if (std::holds_alternative<structure::GridField>(source.shape))
-                text += explain_grid(scene, source);
+                text += explain_grid(scene, solids, source);
         }
     }
     if (scene.fluid) {

@@ -6,12 +6,13 @@
 #include <string>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::launch {
 
 // Reads meshes, surfaces, magnetisations, grids and tables. Returns "" for a scene that
 // names no files. Throws std::invalid_argument or std::runtime_error for a file that
 // cannot be read.
-std::string explain_files(const scene::Scene& scene);
+std::string explain_files(const scene::Scene& scene, const bodies::Solids& solids);
 
 }  // namespace magfsi::launch

@@ -31,14 +31,15 @@ int write(const LatticeOptions& options) {
     if (scene.bodies.empty())
         throw std::invalid_argument(
             "the scene has no bodies; name one with the key bodies");
-    const lammps::Substeps steps = lammps::choose_substeps(scene);
-    const auto input = lammps::to_lammps_input(scene, steps.lammps_step_s);
+    auto input = lammps::to_lammps_input(scene, bodies::to_bodies(scene));
+    const lammps::Substeps steps = lammps::choose_substeps(scene, input);
+    input.time_step_s = steps.lammps_step_s;
     fs::create_directories(options.out);
     const auto script = structure::write_lammps_input(input, fs::absolute(options.out));
     std::string text =
         fmt::format("# {}: runs with magfsi lammps -in lammps.in{}\n", scene.name,
                     scene.fluid ? "; without the fluid, which only magfsi run has" : "");
-    for (const std::string& line : script.setup) text += line + "\n";
+    text += text_of(script);
     if (!scene.time.equilibrium)
         text += fmt::format("run {:.0f}\n", scene.time.end_s / steps.lammps_step_s);
     output::write_atomically(options.out / "lammps.in", text);
@@ -87,9 +88,7 @@ std::string table_text(const structure::LatticeFile& lattice) {
     std::string text = "x[m],y[m],z[m],Mx[A/m],My[A/m],Mz[A/m]\n";
     for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
         structure::Vec3 centre{};
-        for (const int node : lattice.elements[e]) {
-            for (std::size_t d = 0; d < 3; ++d) centre[d] += lattice.nodes_m[node][d] / 8;
-        }
+        for (const int node : lattice.elements[e]) centre += lattice.nodes_m[node] / 8;
         text += fmt::format("{},{}\n", fmt::join(centre, ","),
                             fmt::join(lattice.magnetization_a_m[e], ","));
     }

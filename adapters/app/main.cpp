@@ -64,7 +64,8 @@ std::string word(const std::string& text) {
 // reading cannot.
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
-    for (const std::string& line : launch::warnings(launch::explain(scene)))
+    const auto solids = bodies::to_bodies(scene);
+    for (const std::string& line : launch::warnings(launch::explain(scene, solids)))
         fmt::print("warning: {}\n", line);
     fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());
     return coupler::exit_done;
@@ -73,13 +74,14 @@ int check(const Options& options) {
 // Text and facts are both computed, so that faults show the same with and without --json.
 int explain(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
-    const auto ranks = launch::choose_ranks(scene, options.run.ranks);
-    const std::string text = launch::explain(scene, ranks);
-    const auto facts = launch::facts(scene, ranks, text);
+    const auto solids = bodies::to_bodies(scene);
+    const auto ranks = launch::choose_ranks(scene, solids, options.run.ranks);
+    const std::string text = launch::explain(scene, solids, ranks);
+    const auto facts = launch::facts(scene, solids, ranks, text);
     if (options.json)
         fmt::print("{}\n", facts.dump(2));
     else
-        fmt::print("{}{}", text, launch::explain_cost(scene, ranks));
+        fmt::print("{}{}", text, launch::explain_cost(scene, solids, ranks));
     return coupler::exit_done;
 }
 

@@ -15,7 +15,6 @@
 
 #include "adapters/run_scene.h"
 #include "adapters/scene/scene.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/lbm/explain.h"
 #include "adapters/solvers/lbm/scene_to_fluid.h"
 #include "adapters/solvers/openfoam/explain.h"
@@ -54,15 +53,14 @@ void check_number(const Ranks& ranks) {
 }
 
 // Refuses more structure ranks than elements, for a rank without elements would idle.
-void check_structure(const scene::Scene& scene, int ranks) {
-    if (ranks == 1 || scene.bodies.empty()) return;
+void check_structure(const scene::Scene& scene, const bodies::Solids& solids, int ranks) {
+    if (ranks == 1 || solids.empty()) return;
     if (by_newton(scene))
         throw std::invalid_argument(fmt::format(
             "--ranks structure={}: allowed is 1; equilibria are solved by one process",
             ranks));
     std::size_t elements = 0;
-    for (const scene::Body& body : scene.bodies)
-        elements += bodies::to_body(body).mesh.elements.size();
+    for (const structure::Body& solid : solids) elements += solid.mesh.elements.size();
     if (static_cast<std::size_t>(ranks) <= elements) return;
     throw std::invalid_argument(fmt::format(
         "--ranks structure={}: the bodies have {} elements in all; allowed is "
@@ -128,7 +126,8 @@ std::string to_text(const Ranks& ranks) {
 }
 
 // Defaults first, then the given numbers, then the limits.
-Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
+Ranks choose_ranks(const scene::Scene& scene, const bodies::Solids& solids,
+                   const Ranks& given) {
     Ranks ranks;
     for (const auto& [role, name] : programs_of(scene))
         ranks[role] = default_ranks(scene, role);
@@ -140,13 +139,14 @@ Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
         ranks[role] = number;
     }
     check_number(ranks);
-    if (ranks.contains("structure")) check_structure(scene, ranks.at("structure"));
+    if (ranks.contains("structure"))
+        check_structure(scene, solids, ranks.at("structure"));
     return ranks;
 }
 
 // Lower bound of the fluid's memory: 19 populations a cell (D3Q19). Batch systems may
 // distribute it over machines and are not checked.
-void check_memory(const scene::Scene& scene) {
+void check_memory(const scene::Scene& scene, const bodies::Solids& solids) {
     if (!scene.fluid || has_more_machines()) return;
     const bool single = scene.fluid->solver == scene::FluidSolver::lbm &&
                         scene.fluid->precision != fluid::Precision::double_;
@@ -158,7 +158,8 @@ void check_memory(const scene::Scene& scene) {
         cells *= length / scene.fluid->spacing_m;
     if (scene.fluid->refinement) {
         cells = 0;
-        for (const auto& level : lbm::level_configs(scene)) cells += lbm::cells_of(level);
+        for (const auto& level : lbm::level_configs(scene, solids))
+            cells += lbm::cells_of(level);
     }
     if (cells * bytes_a_cell <= there) return;
     throw std::invalid_argument(fmt::format(

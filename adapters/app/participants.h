@@ -7,6 +7,7 @@
 #include <string>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::launch {
 
@@ -19,7 +20,8 @@ struct FluidProgram {
     std::string (*missing)();
     // Text of `magfsi explain` on the fluid. Throws std::invalid_argument on what the
     // solver refuses.
-    std::string (*explain)(const scene::Scene& scene, int ranks);
+    std::string (*explain)(const scene::Scene& scene, const bodies::Solids& solids,
+                           int ranks);
     // True if cost.h predicts time and memory of this solver.
     bool predicted;
 };
@@ -46,10 +48,11 @@ std::string to_text(const Ranks& ranks);
 // structure and as many for the fluid as cores and cells justify. Throws
 // std::invalid_argument if a rank number is given for a role that the scene lacks, or one
 // beyond what this machine's cores or the bodies' elements can use.
-Ranks choose_ranks(const scene::Scene& scene, const Ranks& given);
+Ranks choose_ranks(const scene::Scene& scene, const bodies::Solids& solids,
+                   const Ranks& given);
 
 // Throws std::invalid_argument if the populations of the fluid's cells alone need more
 // than this machine's memory.
-void check_memory(const scene::Scene& scene);
+void check_memory(const scene::Scene& scene, const bodies::Solids& solids);
 
 }  // namespace magfsi::launch

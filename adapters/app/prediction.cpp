@@ -263,11 +263,12 @@ std::optional<Calibration> read_calibration() {
 }
 
 // OpenFOAM is not calibrated.
-std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks) {
+std::optional<Prediction> prediction(const scene::Scene& scene,
+                                     const bodies::Solids& solids, const Ranks& ranks) {
     if (scene.fluid && !fluid_program(scene).predicted) return std::nullopt;
     const auto calibration = read_calibration();
     if (!calibration) return std::nullopt;
-    return predict(work_of(scene, ranks), *calibration);
+    return predict(work_of(scene, solids, ranks), *calibration);
 }
 
 // Memory is given for the participants that there are.
@@ -281,7 +282,8 @@ nlohmann::ordered_json to_json(const Prediction& p) {
 }
 
 // Numbers of ranks that are clearly faster are named with the option that takes them.
-std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
+std::string explain_cost(const scene::Scene& scene, const bodies::Solids& solids,
+                         const Ranks& ranks) {
     std::string text = fmt::format("\ncost on ranks {}\n", to_text(ranks));
     if (scene.fluid && !fluid_program(scene).predicted)
         return text + fmt::format("  not predicted with fluid.solver {}\n",
@@ -292,7 +294,7 @@ std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
                "  not known: this machine is not calibrated; ./magfsi bench "
                "--calibrate does it in half a minute\n";
     }
-    const Work work = work_of(scene, ranks);
+    const Work work = work_of(scene, solids, ranks);
     const Prediction p = predict(work, *calibration);
     text +=
         fmt::format("  time    {}\n", time_line(p, scene.time.equilibrium.has_value()));

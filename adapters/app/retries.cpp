@@ -29,9 +29,9 @@ bool retry(const scene::Scene& scene) {
 
 // A restart takes the number of halvings from the ratio of the scene's step to the
 // checkpoint's.
-Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
-                 const std::string& restart)
-    : scene_(scene), out_(out), given_(restart), restart_(restart) {
+Retries::Retries(const scene::Scene& scene, const bodies::Solids& solids,
+                 const std::filesystem::path& out, const std::string& restart)
+    : scene_(scene), solids_(solids), out_(out), given_(restart), restart_(restart) {
     if (!retry(scene) || restart.empty()) return;
     const auto header = coupler::find_restart(restart, out, run_plan(scene)).header;
     from_s_ = time_of(header);
@@ -43,7 +43,7 @@ Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
 // step.
 double Retries::step_s() const {
     const auto coupled = scene::coupled_step_s(scene_);
-    return coupled ? *coupled : lammps::choose_substeps(scene_).coupled_step_s;
+    return coupled ? *coupled : lammps::choose_substeps(scene_, solids_).coupled_step_s;
 }
 
 // The newest checkpoint of the run folder, else the one that the run was started from,

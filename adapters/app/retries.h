@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::launch {
 
@@ -19,9 +20,9 @@ class Retries {
   public:
     // `restart` is the command line's option. A run continued from a checkpoint with
     // halved steps keeps them halved. Throws std::invalid_argument if the checkpoint
-    // cannot be found.
-    Retries(const scene::Scene& scene, const std::filesystem::path& out,
-            const std::string& restart);
+    // cannot be found. Keeps a reference to solids.
+    Retries(const scene::Scene& scene, const bodies::Solids& solids,
+            const std::filesystem::path& out, const std::string& restart);
 
     // Checkpoint of the coming job ("latest", a file, or "" for the start), and the
     // number of times its steps are halved.
@@ -54,6 +55,7 @@ class Retries {
     double step_s() const;
 
     scene::Scene scene_;
+    const bodies::Solids& solids_;
     std::filesystem::path out_;
     // Checkpoint of the command line, and that of the coming job.
     std::string given_, restart_;

@@ -66,12 +66,11 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     if (options.halvings > 0)
         arguments.insert(arguments.end(),
                          {"--halvings", std::to_string(options.halvings)});
-    const Ranks ranks = choose_ranks(scene, options.ranks);
     std::vector<Program> programs;
     const auto names = programs_of(scene);
     for (const char* role : {"structure", "fluid"}) {
         if (!names.contains(role)) continue;
-        Program p{role, ranks.at(role), {program(names.at(role)).string()}};
+        Program p{role, options.ranks.at(role), {program(names.at(role)).string()}};
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
         if (p.role == "structure" && scene.has_own_structure()) {
             p.command.front() = fs::absolute(options.structure).string();
@@ -243,8 +242,9 @@ int unnamed_end(const JobEnd& end) {
 
 // Reports how the run ended, completes summary.json, and returns the exit code of the
 // command line.
-int conclude(const scene::Scene& scene, const RunOptions& options, const fs::path& out,
-             const JobEnd& end, bool without_retries) {
+int conclude(const scene::Scene& scene, const bodies::Solids& solids,
+             const RunOptions& options, const fs::path& out, const JobEnd& end,
+             bool without_retries) {
     if (!end.lost.empty()) {
         fmt::print(stderr, "magfsi: lost a partner: {}\n", end.lost);
         write_end(scene, out, output::Outcome::lost_partner, end.lost);
@@ -272,7 +272,7 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
     }
     // The prediction holds for whole runs without retries.
     if (options.restart.empty() && without_retries)
-        write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
+        write_predicted(out, prediction(scene, solids, options.ranks));
     return coupler::exit_done;
 }
 
@@ -319,7 +319,7 @@ void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) 
 
 }  // namespace
 
-int run(const RunOptions& options) {
+int run(RunOptions options) {
     const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
     if (scene.accuracy || !options.error.empty()) run_within_tolerance(scene, options);
     if (scene.fluid) {
@@ -328,11 +328,13 @@ int run(const RunOptions& options) {
             throw std::invalid_argument(fmt::format(
                 "fluid.solver: {}: {}", scene::name_of(scene.fluid->solver), fault));
     }
-    check_memory(scene);
+    const auto solids = bodies::to_bodies(scene);
+    check_memory(scene, solids);
     check_structure_program(scene, options);
-    // explain() builds meshes, magnetisations, obstacles and steps, so that a scene that
-    // cannot run is refused as bad input before anything is written or started.
-    const auto warned = warnings(explain(scene, choose_ranks(scene, options.ranks)));
+    options.ranks = choose_ranks(scene, solids, options.ranks);
+    // explain() builds obstacles, markers and steps, so that a scene that cannot run is
+    // refused as bad input before anything is written or started.
+    const auto warned = warnings(explain(scene, solids, options.ranks));
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     if (options.out.empty()) check_default_out(scene, out);
@@ -352,10 +354,10 @@ int run(const RunOptions& options) {
                    "run uses it\n",
                    out.string());
     for (const std::string& line : warned) fmt::print(stderr, "warning: {}\n", line);
-    Retries retries(scene, out, options.restart);
+    Retries retries(scene, solids, out, options.restart);
     const JobEnd end = run_with_retries(scene, options, out, retries, lock);
     if (options.trace) merge_traces(out);
-    const int code = conclude(scene, options, out, end, retries.record().empty());
+    const int code = conclude(scene, solids, options, out, end, retries.record().empty());
     if (options.page && read_summary(out).is_object()) start_page(scene, out);
     return code;
 }

@@ -18,7 +18,7 @@ struct RunOptions {
     // Run folder; "" for runs/NAME.
     std::filesystem::path out;
     std::vector<std::string> overrides;  // --set, as typed
-    Ranks ranks;                         // only those given
+    Ranks ranks;                         // only those given; run() adds the others
     std::vector<std::string> notes;      // lines for the head of the log
     std::string restart;                 // latest, a file of a checkpoint, or empty
     // Number of times that retries have halved every step (set by the launcher).
@@ -38,6 +38,6 @@ struct RunOptions {
 // Runs the scene to its end. Returns the exit code of the command line. Throws
 // std::invalid_argument and scene::SceneError on bad input, std::runtime_error if the job
 // cannot be started.
-int run(const RunOptions& options);
+int run(RunOptions options);
 
 }  // namespace magfsi::launch

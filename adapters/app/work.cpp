@@ -8,7 +8,6 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/bodies/marker_placement.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/fluids/fluid_probes.h"
 #include "adapters/solvers/lammps/substeps.h"
 #include "adapters/solvers/lbm/scene_to_fluid.h"
@@ -60,8 +59,9 @@ double wall_cells(const fluid::FluidConfig& config) {
 
 // Adds the cell updates per step. A refined grid counts per step of its finest level,
 // hence the factor for the coarse one.
-void add_lattice(const scene::Scene& scene, FluidWork& work) {
-    const auto levels = lbm::level_configs(scene);
+void add_lattice(const scene::Scene& scene, const bodies::Solids& solids,
+                 FluidWork& work) {
+    const auto levels = lbm::level_configs(scene, solids);
     const fluid::FluidConfig& config = levels.front().front();
     const double coarse =
         std::ldexp(lbm::cells_of(levels.front()), 1 - static_cast<int>(levels.size()));
@@ -74,9 +74,9 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
 }
 
 // Work of the lattice, of probes and of field files.
-FluidWork fluid_work(const scene::Scene& scene, int ranks) {
+FluidWork fluid_work(const scene::Scene& scene, const bodies::Solids& solids, int ranks) {
     FluidWork work;
-    add_lattice(scene, work);
+    add_lattice(scene, solids, work);
     if (scene.probes && !fluids::fluid_columns(scene).empty())
         add_probes(*scene.probes, scene.time.end_s, work);
     if (scene.output.fluid) {
@@ -91,18 +91,20 @@ FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     return work;
 }
 
-// Counts elements, markers and dipole pairs over all bodies, whose meshes it builds.
-StructureWork structure_work(const scene::Scene& scene, int ranks) {
+// Counts elements, markers and dipole pairs over all bodies.
+StructureWork structure_work(const scene::Scene& scene, const bodies::Solids& solids,
+                             int ranks) {
     StructureWork work;
     double magnets = 0, within = 0;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const structure::Body solid = bodies::to_body(scene.bodies[b]);
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        const structure::Body& solid = solids[b];
         work.elements += solid.mesh.elements.size();
         work.nodes += solid.mesh.nodes.size();
         const double magnetized = solid.magnetization_a_m.size();
         magnets += magnetized;
         within += magnetized * magnetized;
-        if (scene.coupling) work.markers += bodies::place_markers(scene, b).size();
+        if (scene.coupling)
+            work.markers += bodies::place_markers(scene, b, solid.mesh).size();
     }
     if (scene.dipoles)
         work.dipoles = magnets * magnets - (scene.dipoles->within_bodies ? 0 : within);
@@ -125,18 +127,19 @@ PathWork path_work(const scene::Scene& scene) {
 
 // The number of steps follows the structure's choice of the coupled step if there are
 // bodies.
-Work work_of(const scene::Scene& scene, const Ranks& ranks) {
+Work work_of(const scene::Scene& scene, const bodies::Solids& solids,
+             const Ranks& ranks) {
     Work work;
-    if (scene.fluid) work.fluid = fluid_work(scene, ranks.at("fluid"));
+    if (scene.fluid) work.fluid = fluid_work(scene, solids, ranks.at("fluid"));
     if (!scene.bodies.empty())
-        work.structure = structure_work(scene, ranks.at("structure"));
+        work.structure = structure_work(scene, solids, ranks.at("structure"));
     if (scene.time.equilibrium) {
         work.path = path_work(scene);
         return work;
     }
     double step_s = scene.fluid ? *scene::coupled_step_s(scene) : 0;
     if (work.structure) {
-        const lammps::Substeps substeps = lammps::choose_substeps(scene);
+        const lammps::Substeps substeps = lammps::choose_substeps(scene, solids);
         work.structure->substeps = substeps.count;
         step_s = substeps.coupled_step_s;
     }

@@ -180,8 +180,7 @@ void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
 
 // Half the extent along each axis of the rotated block's bounding box.
 Vec3 half_extent(const Body& body, const Box& box) {
-    Vec3 half{};
-    for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
+    Vec3 half = 0.5 * box.size_m;
     if (!body.initial.rotation) return half;
     const auto [a, b] = body.initial.rotation->plane;
     const double c = std::abs(std::cos(body.initial.rotation->angle_rad));
@@ -254,8 +253,7 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 double most_markers(const Scene& scene, const Vec3& extent_m) {
     if (!scene.coupling || !scene.fluid) return 0;
     const double apart_m = fitted::marker_spacing * scene.fluid->finest_spacing_m();
-    Vec3 n{};
-    for (int i = 0; i < 3; ++i) n[i] = extent_m[i] / apart_m;
+    const Vec3 n = extent_m / apart_m;
     return 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
 }
 
@@ -297,14 +295,14 @@ void check_bodies(const Scene& scene, const Marks& marks) {
 double largest_speed_m_s(const PrescribedMotion& motion, double end_s) {
     constexpr double pi = std::numbers::pi;
     if (const auto* o = std::get_if<Oscillation>(&motion.course))
-        return 2 * pi * o->frequency_hz * length(o->amplitude_m);
+        return 2 * pi * o->frequency_hz * norm(o->amplitude_m);
     if (const auto* ramp = std::get_if<DisplacementRamp>(&motion.course))
-        return pi / 2 * length(ramp->displacement_m) / ramp->duration_s;
+        return pi / 2 * norm(ramp->displacement_m) / ramp->duration_s;
     const auto& formula = std::get<FormulaMotion>(motion.course);
     double largest = 0;
     for (int i = 0; i <= 1000; ++i)
         largest =
-            std::max(largest, length(velocity(formula.component_m, end_s * i / 1000)));
+            std::max(largest, norm(velocity(formula.component_m, end_s * i / 1000)));
     return largest;
 }
 

@@ -54,7 +54,7 @@ void check_law(const VectorTable& table, const At& at) {
 
 // An axis of length 0 has no direction.
 void check_law(const PrecessingField& field, const At& at) {
-    require(length(field.axis) > 0, at("axis"), "an axis of length 0",
+    require(norm(field.axis) > 0, at("axis"), "an axis of length 0",
             "any other vector such as [0, 0, 1]");
 }
 
@@ -141,7 +141,7 @@ void check_source(const FieldSource& source, const Marks& marks) {
     const std::string& name = source.name;
     const auto at = [&](Path path) -> const Origin& { return marks.value(path); };
     const auto axis = [&](const Vec3& v, const Origin& where) {
-        require(length(v) > 0, where, "an axis of length 0",
+        require(norm(v) > 0, where, "an axis of length 0",
                 "any other vector such as [0, 0, 1]");
     };
     const auto rows = [&](const std::vector<double>& time_s, std::size_t values,

@@ -33,9 +33,18 @@ bool divides_all(const Vec3& box, double spacing) {
     return std::ranges::all_of(box, [=](double side) { return divides(side, spacing); });
 }
 
+// Least number of cells along an axis.
+int least_cells(const Fluid& fluid, std::size_t d) {
+    return fluid.boundaries[2 * d].kind == BoundaryKind::periodic ? 1 : min_cells;
+}
+
+bool has_cells(const Fluid& fluid, std::size_t d, double spacing) {
+    return fluid.box_m[d] / spacing >= least_cells(fluid, d) * (1 - divides_within);
+}
+
 // Advice for a spacing that does not divide the box: the nearest one that divides all
-// sides, else the nearest box of whole cells. Candidates are taken from the shortest
-// side, which has the fewest cells.
+// sides and leaves cells enough, else the nearest box of whole cells. Candidates are
+// taken from the shortest side, which has the fewest cells.
 std::string advice(const Fluid& fluid) {
     const double wanted = fluid.spacing_m;
     const double shortest = std::ranges::min(fluid.box_m);
@@ -44,7 +53,8 @@ std::string advice(const Fluid& fluid) {
         double best = 0;
         for (const long n : {cells - away, cells + away}) {
             const double spacing = shortest / static_cast<double>(n);
-            if (divides_all(fluid.box_m, spacing) &&
+            if (divides_all(fluid.box_m, spacing) && has_cells(fluid, 0, spacing) &&
+                has_cells(fluid, 1, spacing) && has_cells(fluid, 2, spacing) &&
                 (best == 0 || std::abs(spacing - wanted) < std::abs(best - wanted)))
                 best = spacing;
         }
@@ -52,8 +62,9 @@ std::string advice(const Fluid& fluid) {
         if (best > 0) return fmt::format("the nearest is {:.9g} mm", 1e3 * best);
     }
     Vec3 box{};
-    for (int i = 0; i < 3; ++i)
-        box[i] = std::max(1.0, std::round(fluid.box_m[i] / wanted)) * wanted;
+    for (std::size_t i = 0; i < 3; ++i)
+        box[i] = wanted * std::max<double>(least_cells(fluid, i),
+                                           std::round(fluid.box_m[i] / wanted));
     return fmt::format("the nearest box is [{}, {}, {}]", metres(box[0]), metres(box[1]),
                        metres(box[2]));
 }
@@ -80,9 +91,8 @@ void check_spacing(const Fluid& fluid, const Marks& marks) {
     const Origin& here = marks.value({"fluid", "spacing"});
     for (std::size_t d = 0; d < 3; ++d) {
         const double side = fluid.box_m[d], cells = side / fluid.spacing_m;
-        require(fluid.boundaries[2 * d].kind == BoundaryKind::periodic ||
-                    cells >= min_cells * (1 - divides_within),
-                here, fmt::format("{:.3g} cells along {}", cells, axis_names[d]),
+        require(has_cells(fluid, d, fluid.spacing_m), here,
+                fmt::format("{:.3g} cells along {}", cells, axis_names[d]),
                 fmt::format("at least {} cells between walls", min_cells),
                 fmt::format("take a spacing of at most {}", metres(side / min_cells)));
         if (!divides(side, fluid.spacing_m))
@@ -105,7 +115,8 @@ void check_periodic_pairs(const Fluid& fluid, const Marks& marks) {
     }
 }
 
-// Walls may move only along themselves, and inlets need a velocity.
+// Walls may move only along themselves, inlets need a velocity, and an opening smaller
+// than a cell is none.
 void check_sides(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
         const Boundary& side = fluid.boundaries[face];
@@ -123,6 +134,12 @@ void check_sides(const Fluid& fluid, const Marks& marks) {
                 fmt::format("the inlet {} without a velocity", name),
                 "velocity_inlet: {velocity: [x, y, z]}, not zero",
                 "give it a velocity, or leave the side out: a wall");
+        const double faces =
+            side.patch ? fluid::area_m2(*side.patch) / (fluid.spacing_m * fluid.spacing_m)
+                       : 1;
+        require(faces >= 1 - divides_within, marks.value({"fluid", "boundaries", name}),
+                fmt::format("an opening of {:.3g} of a cell's face", faces),
+                "at least one face", "make the opening larger, or fluid.spacing finer");
     }
 }
 
@@ -255,7 +272,7 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
     check_speed(fluid.expected_speed_m_s, "the expected speed",
                 marks.value({"fluid", "expected_speed"}), fluid, dt_s);
     if (fluid.initial_velocity_m_s)
-        check_speed(length(*fluid.initial_velocity_m_s), "the initial velocity",
+        check_speed(norm(*fluid.initial_velocity_m_s), "the initial velocity",
                     marks.value({"fluid", "initial_velocity"}), fluid, dt_s);
     if (fluid.taylor_green)
         check_speed(fluid.taylor_green->speed_m_s, "the vortex's speed",
@@ -266,8 +283,8 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
         const std::string kind(name_of(side.kind));
         const bool inlet = side.kind == BoundaryKind::velocity_inlet;
         const double speed_m_s =
-            inlet ? side.inlet.peak_factor * length(side.inlet.velocity_m_s)
-                  : length(side.wall_velocity_m_s);
+            inlet ? side.inlet.peak_factor * norm(side.inlet.velocity_m_s)
+                  : norm(side.wall_velocity_m_s);
         check_speed(speed_m_s,
                     !inlet              ? "the wall velocity"
                     : side.inlet.course ? "the largest velocity of the inlet's course"

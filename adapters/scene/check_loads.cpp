@@ -100,26 +100,18 @@ void check_dipoles(const Scene& scene, const Marks& marks) {
 
 // --- the platform: one that no body can touch is a slip ----------------------------
 
-double dot(const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Height of a point above the platform along its normal [m].
 double height_m(const Platform& platform, const Vec3& at_m) {
-    Vec3 from{};
-    for (int i = 0; i < 3; ++i) from[i] = at_m[i] - platform.point_m[i];
-    return dot(from, platform.normal);
+    return dot(at_m - platform.point_m, platform.normal);
 }
 
 double half_diagonal_m(const Box& box) {
-    return 0.5 * length(box.size_m);
+    return 0.5 * norm(box.size_m);
 }
 
 // Centre of the block at the start; without a position the body's frame is that of space.
 Vec3 centre_m(const Body& body, const Box& box) {
-    Vec3 half{};
-    for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
-    return body.initial.position_m.value_or(half);
+    return body.initial.position_m.value_or(0.5 * box.size_m);
 }
 
 // True if something can move a free body's centre of mass towards the platform. A uniform

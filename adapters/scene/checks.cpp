@@ -68,10 +68,6 @@ void require_with(bool there, const Origin& where, std::string_view what,
             fmt::format("only with {}", need), suggestion);
 }
 
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
 namespace {
 
 // Probes, files and checkpoints are written after whole coupled steps.

@@ -107,8 +107,6 @@ double most_markers(const Scene& scene, const Vec3& extent_m);
 bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m,
                  bool between_walls);
 
-// Euclidean length.
-double length(const Vec3& v);
 inline std::string metres(double value) {
     return format_si(value, "m");
 }

@@ -314,11 +314,12 @@ Node& descend(Node& node, const std::string& part, const Origin& origin) {
     return node.children.back();
 }
 
-// Removes a key; items of lists cannot be removed.
+// Removes a key, which may be one of an item of a list; items cannot be removed.
 void remove(Node& root, const std::vector<std::string>& parts, const Origin& origin) {
     Node* node = &root;
     for (std::size_t i = 0; i + 1 < parts.size() && node; ++i)
-        node = node->find(parts[i]);
+        node = node->type == Node::Type::sequence ? &list_item(*node, parts[i], origin)
+                                                  : node->find(parts[i]);
     if (!node || !node->find(parts.back()))
         refuse(origin, "no such key to remove", "keys that the scene has");
     std::erase_if(node->children,

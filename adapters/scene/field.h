@@ -121,6 +121,9 @@ Field quantity(std::string_view name, std::string_view si_unit, std::string_view
 
 template <class E>
 concept Named = std::is_enum_v<E>;
+// Arrays and vectors, whose number of elements is fixed.
+template <class T>
+concept FixedLength = (std::tuple_size<T>::value > 0);
 template <class T>
 concept HasName = requires(T item) {
     item.name;

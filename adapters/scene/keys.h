@@ -101,15 +101,19 @@ class JsonWriter {
     }
     template <class T>
     void write(std::optional<T>& value) {
-        if (value) write(*value);
+        if (!value) return;
+        write(*value);
+        // An effect without a value of its own, such as contact: {}, is in the scene.
+        if constexpr (std::is_class_v<T> && !requires { value->begin(); })
+            if (json_.is_null()) json_ = nlohmann::ordered_json::object();
     }
     template <class List>
     void write_list(List& list) {
         json_ = nlohmann::ordered_json::array();
         for (auto& item : list) json_.push_back(of(item));
     }
-    template <class T, std::size_t N>
-    void write(std::array<T, N>& value) {
+    template <FixedLength Row>
+    void write(Row& value) {
         write_list(value);
     }
     template <class T>
@@ -217,23 +221,23 @@ class Describer {
         describe(value);
     }
     // Arrays are vectors of fixed length.
-    template <class T, std::size_t N>
-    void describe(std::array<T, N>& value) {
+    template <FixedLength Row>
+    void describe(Row& value) {
         describe(value[0]);
         field_->layout = Layout::vector;
-        field_->length = field_->count_min = field_->count_max = N;
+        field_->length = field_->count_min = field_->count_max = std::tuple_size_v<Row>;
     }
-    template <std::size_t N, std::size_t M>
-    void describe(std::array<std::array<double, N>, M>& value) {
+    template <std::size_t M>
+    void describe(std::array<Vec3, M>& value) {
         describe(value[0]);
         field_->layout = Layout::rows;
         field_->count_min = field_->count_max = M;
     }
-    template <std::size_t N>
-    void describe(std::vector<std::array<double, N>>&) {
+    template <FixedLength Row>
+    void describe(std::vector<Row>&) {
         leaf(Kind::quantity);
         field_->layout = Layout::rows;
-        field_->length = N;
+        field_->length = std::tuple_size_v<Row>;
     }
     // Vectors are lists of scalars, maps by name (types with a member `name`), or lists
     // of maps.

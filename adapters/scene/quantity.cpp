@@ -192,9 +192,10 @@ double parse_quantity(std::string_view raw, std::string_view si_unit) {
     const Unit unit = parse_unit(number.rest);
     // Magnets are specified by their remanence Br = mu0 M [T], from which M follows.
     if (si_unit == "A/m" && unit.dimension == parse_unit("T").dimension) {
+        const auto remanence = rounded<long double>(number, unit.decimal_exponent, text);
+        check_size({static_cast<double>(remanence), unit.dimension}, text);
         const double magnetization =
-            rounded<long double>(number, unit.decimal_exponent, text) /
-            (4e-7L * std::numbers::pi_v<long double>);
+            remanence / (4e-7L * std::numbers::pi_v<long double>);
         check_size({magnetization, expected.dimension}, text);
         return magnetization;
     }

@@ -40,8 +40,8 @@ std::string file_text(const std::filesystem::path& file) {
 
 // Scales a vector to unit length. A zero vector is left as it is; check_scene refuses it.
 void normalise(Vec3& v) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    for (double& component : v) component /= length > 0 ? length : 1;
+    const double length = norm(v);
+    v /= length > 0 ? length : 1;
 }
 
 // Fills in defaults of the coupling that depend on the scheme.

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/vector/vec3.h"
 #include "coupler/options.h"
 #include "fluid_lbm/options.h"
 #include "structure/lammps/drag_law.h"
@@ -21,7 +22,7 @@
 
 namespace magfsi::scene {
 
-using Vec3 = std::array<double, 3>;
+using magfsi::Vec3;
 
 // The options that scene and solvers share.
 using namespace structure;

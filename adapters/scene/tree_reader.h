@@ -94,18 +94,18 @@ class TreeReader {
         for (const Node* scalar : scalars(*node_, *field_))
             TreeReader(*scalar, *field_).read(*first++);
     }
-    template <class T, std::size_t N>
-    void read(std::array<T, N>& value) {
+    template <FixedLength Row>
+    void read(Row& value) {
         read_each(value.begin());
     }
     // Rows of vectors, read one after the other into the contiguous memory of the rows.
-    template <std::size_t N>
-    void read(std::vector<std::array<double, N>>& value) {
-        value.resize(scalars(*node_, *field_).size() / N);
+    template <FixedLength Row>
+    void read(std::vector<Row>& value) {
+        value.resize(scalars(*node_, *field_).size() / std::tuple_size_v<Row>);
         read_each(value.front().begin());
     }
-    template <std::size_t N, std::size_t M>
-    void read(std::array<std::array<double, N>, M>& value) {
+    template <std::size_t M>
+    void read(std::array<Vec3, M>& value) {
         read_each(value.front().begin());
     }
     // A key that is present makes the optional non-empty.

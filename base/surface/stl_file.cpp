@@ -143,7 +143,7 @@ std::vector<Triangle> read_stl(const std::string& file) {
     if (triangles.empty()) refuse_file(file, "has no triangle; export a surface");
     constexpr double most = std::numeric_limits<float>::max();
     for (const Triangle& triangle : triangles) {
-        for (const Point& corner : triangle) {
+        for (const Vec3& corner : triangle) {
             for (const double x : corner) {
                 if (!(std::abs(x) <= most))
                     refuse_file(file, "has a vertex that is not finite; export it anew");

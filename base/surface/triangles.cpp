@@ -23,14 +23,13 @@ using Corners = std::array<std::uint32_t, 3>;  // numbers of the vertices
 // of the digits in its file.
 double size_of(const std::vector<Triangle>& triangles) {
     double size = 0;
-    Point low = triangles[0][0], high = low;
+    Vec3 low = triangles[0][0], high = low;
     for (const Triangle& t : triangles) {
-        for (const Point& x : t) {
-            for (std::size_t d = 0; d < 3; ++d) {
-                low[d] = std::min(low[d], x[d]);
-                high[d] = std::max(high[d], x[d]);
+        for (const Vec3& x : t) {
+            low = lower(low, x);
+            high = higher(high, x);
+            for (std::size_t d = 0; d < 3; ++d)
                 size = std::max({size, std::abs(x[d]), high[d] - low[d]});
-            }
         }
     }
     return size;
@@ -43,7 +42,7 @@ class Vertices {
     explicit Vertices(double reach) : reach_(reach) {}
 
     // Number of the vertex at x; a new one if none is near.
-    std::uint32_t number(const Point& x) {
+    std::uint32_t number(const Vec3& x) {
         if (reach_ == 0) {
             Cell key{};
             for (std::size_t d = 0; d < 3; ++d)
@@ -55,12 +54,12 @@ class Vertices {
             const auto found = by_cell_.find(
                 {cell(0) + n % 3 - 1, cell(1) + n / 3 % 3 - 1, cell(2) + n / 9 - 1});
             if (found == by_cell_.end()) continue;
-            const Point way = minus(at_[found->second], x);
+            const Vec3 way = at_[found->second] - x;
             if (dot(way, way) <= reach_ * reach_) return found->second;
         }
         return of_cell({cell(0), cell(1), cell(2)}, x);
     }
-    const Point& operator[](std::uint32_t i) const { return at_[i]; }
+    const Vec3& operator[](std::uint32_t i) const { return at_[i]; }
 
   private:
     using Cell = std::array<double, 3>;
@@ -74,7 +73,7 @@ class Vertices {
     };
     // Number of the vertex in a grid cell. The first vertex of a cell stands for all:
     // another lies within the cell's diagonal.
-    std::uint32_t of_cell(const Cell& cell, const Point& x) {
+    std::uint32_t of_cell(const Cell& cell, const Vec3& x) {
         const auto [found, fresh] =
             by_cell_.try_emplace(cell, static_cast<std::uint32_t>(at_.size()));
         if (fresh) at_.push_back(x);
@@ -82,7 +81,7 @@ class Vertices {
     }
 
     double reach_;
-    std::vector<Point> at_;
+    std::vector<Vec3> at_;
     std::unordered_map<Cell, std::uint32_t, Hash> by_cell_;
 };
 
@@ -168,10 +167,10 @@ Joined join(const std::vector<Triangle>& triangles, double reach) {
 // Throws std::invalid_argument with the place of the first faulty edge and a remedy.
 [[noreturn]] void refuse_open(const Joined& surface, const std::string& file) {
     const auto& edges = surface.open.empty() ? surface.turned : surface.open;
-    const Point &a = surface.vertices[edges[0].low], &b = surface.vertices[edges[0].high];
+    const auto [x, y, z] =
+        0.5 * (surface.vertices[edges[0].low] + surface.vertices[edges[0].high]);
     std::ostringstream place;
-    place << "(" << 0.5 * (a[0] + b[0]) << ", " << 0.5 * (a[1] + b[1]) << ", "
-          << 0.5 * (a[2] + b[2]) << ")";
+    place << "(" << x << ", " << y << ", " << z << ")";
     if (surface.open.empty())
         refuse_file(file, "has ", edges.size(),
                     " edges that do not join two triangles of the same orientation, one "
@@ -186,10 +185,8 @@ Joined join(const std::vector<Triangle>& triangles, double reach) {
 }
 
 // Signed volume of the tetrahedron of a triangle and a point.
-double volume_of(const Triangle& t, const Point& origin) {
-    return dot(minus(t[0], origin),
-               cross_product(minus(t[1], origin), minus(t[2], origin))) /
-           6;
+double volume_of(const Triangle& t, const Vec3& origin) {
+    return dot(t[0] - origin, cross(t[1] - origin, t[2] - origin)) / 6;
 }
 
 void turn(Triangle& t) {
@@ -198,7 +195,7 @@ void turn(Triangle& t) {
 
 // Winding number at a point of all triangles except those that are left out.
 template <class LeftOut>
-int winding(std::span<const Triangle> triangles, const Point& at,
+int winding(std::span<const Triangle> triangles, const Vec3& at,
             const LeftOut& left_out) {
     int sum = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -213,7 +210,7 @@ int winding(std::span<const Triangle> triangles, const Point& at,
 // is a cavity and stays as it is, otherwise it is an error of the file.
 void turn_outwards(std::vector<Triangle>& triangles,
                    const std::vector<std::uint32_t>& part, double size) {
-    const Point origin = triangles[0][0];
+    const Vec3 origin = triangles[0][0];
     std::map<std::uint32_t, double> volume;
     double whole = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -233,13 +230,10 @@ void turn_outwards(std::vector<Triangle>& triangles,
         if (volume[part[t]] >= 0 || looked[part[t]]++ >= points || slip[part[t]])
             continue;
         const Triangle& one = triangles[t];
-        const Point n = normal(one);
+        const Vec3 n = normal(one);
         const double length = std::sqrt(dot(n, n));
         if (length == 0) continue;
-        Point beside{};
-        for (std::size_t d = 0; d < 3; ++d)
-            beside[d] =
-                (one[0][d] + one[1][d] + one[2][d]) / 3 - 1e-6 * size * n[d] / length;
+        const Vec3 beside = (one[0] + one[1] + one[2]) / 3 - 1e-6 * size * n / length;
         slip[part[t]] = winding(triangles, beside, [&](std::size_t other) {
                             return volume[part[other]] < 0;
                         }) == 0;
@@ -254,7 +248,7 @@ void turn_outwards(std::vector<Triangle>& triangles,
 int turns(const Triangle& t, double y, double z) {
     int sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Point *a = &t[i], *b = &t[(i + 1) % 3];
+        const Vec3 *a = &t[i], *b = &t[(i + 1) % 3];
         if (((*a)[2] > z) == ((*b)[2] > z)) continue;
         const int up = (*b)[2] > z ? 1 : -1;
         if (*b < *a) std::swap(a, b);  // the same order in both triangles of an edge
@@ -266,7 +260,7 @@ int turns(const Triangle& t, double y, double z) {
 
 }  // namespace
 
-Closed read_closed(const std::string& file, double scale, const Point& shift) {
+Closed read_closed(const std::string& file, double scale, const Vec3& shift) {
     const std::vector<Triangle> read = read_stl(file);
     const double size = size_of(read);
     Joined joined = join(read, 0);
@@ -283,9 +277,7 @@ Closed read_closed(const std::string& file, double scale, const Point& shift) {
     for (std::uint32_t t = 0; t < joined.part.size(); ++t)
         out.parts += joined.part[t] == t ? 1 : 0;
     for (Triangle& t : out.triangles) {
-        for (Point& corner : t) {
-            for (std::size_t a = 0; a < 3; ++a) corner[a] = shift[a] + scale * corner[a];
-        }
+        for (Vec3& corner : t) corner = shift + scale * corner;
     }
     return out;
 }
@@ -294,7 +286,7 @@ std::optional<Crossing> crossing(const Triangle& t, double y, double z) {
     const int out = turns(t, y, z);
     if (out == 0) return {};
     const auto [least, most] = std::minmax({t[0][0], t[1][0], t[2][0]});
-    const Point n = normal(t);
+    const Vec3 n = normal(t);
     // Rounding may give a triangle that is seen edge-on (n[0] == 0) a crossing.
     const double x = n[0] == 0
                          ? least

@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "base/vector/vec3.h"
+
 namespace magfsi::surface {
 
-// Coordinates x, y, z, in the unit of the file or of the caller's scale.
-using Point = std::array<double, 3>;
-using Triangle = std::array<Point, 3>;
+// Corners, in the unit of the file or of the caller's scale.
+using Triangle = std::array<Vec3, 3>;
 
 // A closed surface. Seen from outside, its triangles run counter-clockwise. Their winding
 // numbers add up, and a point is inside where the sum is not 0, so that parts may
@@ -28,21 +29,11 @@ struct Closed {
 // are inside out are turned, except for cavities. Throws std::invalid_argument, "is the
 // STL file NAME, which ...", if the file cannot be read, is cut short, has no triangle or
 // is not closed.
-Closed read_closed(const std::string& file, double scale, const Point& shift);
+Closed read_closed(const std::string& file, double scale, const Vec3& shift);
 
-inline Point minus(const Point& a, const Point& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline double dot(const Point& a, const Point& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Point cross_product(const Point& a, const Point& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0]};
-}
 // Normal of a triangle by the right hand; its length is twice the area.
-inline Point normal(const Triangle& t) {
-    return cross_product(minus(t[1], t[0]), minus(t[2], t[0]));
+inline Vec3 normal(const Triangle& t) {
+    return cross(t[1] - t[0], t[2] - t[0]);
 }
 
 // Crossing of a line along x with a triangle: its place, and +1 where the line comes out

@@ -39,10 +39,7 @@ constexpr Box no_box() {
 }
 
 void widen(Box& box, const Vec3& low, const Vec3& high) {
-    for (std::size_t d = 0; d < 3; ++d) {
-        box[0][d] = std::min(box[0][d], low[d]);
-        box[1][d] = std::max(box[1][d], high[d]);
-    }
+    box = {lower(box[0], low), higher(box[1], high)};
 }
 
 // Exchanges with every rank of the partner the number of markers that each side will
@@ -107,46 +104,6 @@ void from_numbers(const double* number, std::vector<std::vector<CellBox>>& by_ra
             for (int& low : box.lo) low = *number++;
             for (int& high : box.hi) high = *number++;
         }
-    }
-}
-
-// Index of the no_slip numbers of the i-th marker: of its volume in a message, of its
-// answer in the reply.
-constexpr std::size_t volume_at(std::size_t i) {
-    return message_header + marker_values_of(Forcing::no_slip) * i + 9;
-}
-constexpr std::size_t answer_at(std::size_t i) {
-    return message_header + velocity_values_of(Forcing::no_slip) * i + 3;
-}
-
-void write_volumes(std::vector<double>& message, const std::vector<int>& markers,
-                   std::span<const double> volume_m3) {
-    for (std::size_t i = 0; i < markers.size(); ++i)
-        message[volume_at(i)] = volume_m3[markers[i]];
-}
-
-void read_volumes(const std::vector<double>& message, std::span<double> volume_m3) {
-    for (std::size_t i = 0; i < volume_m3.size(); ++i)
-        volume_m3[i] = message[volume_at(i)];
-}
-
-void write_answer(std::vector<double>& message, const NoSlipAnswer& answer,
-                  std::size_t first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        double* at = message.data() + answer_at(i);
-        at[0] = answer.row_sum[first + i];
-        put(at + 1, answer.passed[first + i]);
-    }
-}
-
-// Adds a fluid rank's shares of row sums and of q to the answer.
-void add_answer(const std::vector<double>& message, const std::vector<int>& markers,
-                NoSlipAnswer& answer) {
-    for (std::size_t i = 0; i < markers.size(); ++i) {
-        const double* at = message.data() + answer_at(i);
-        const std::size_t m = markers[i];
-        answer.row_sum[m] += at[0];
-        for (std::size_t d = 0; d < 3; ++d) answer.passed[m][d] += at[1 + d];
     }
 }
 
@@ -241,9 +198,9 @@ void StructureExchange::send(const Occasion& when, std::span<const Vec3> before_
             put(at, before_m[m]);
             put(at + 3, impulse[m]);
             put(at + 6, now_m[m]);
+            if (!volume_m3.empty()) at[9] = volume_m3[m];
             at += marker_values_of(forcing_);
         }
-        if (!volume_m3.empty()) write_volumes(out_[f], table_[f], volume_m3);
         start_send(world_, partner, marker_tag, out_[f], sending_);
     }
 }
@@ -262,10 +219,13 @@ void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity,
         const double* at = in_[f].data() + message_header;
         for (const int marker : table_[f]) {
             const std::size_t m = marker;
-            for (std::size_t d = 0; d < 3; ++d) velocity[m][d] += at[d];
+            velocity[m] += vector_at(at);
+            if (more) {
+                more->row_sum[m] += at[3];
+                more->passed[m] += vector_at(at + 4);
+            }
             at += velocity_values_of(forcing_);
         }
-        if (more) add_answer(in_[f], table_[f], *more);
     }
 }
 
@@ -319,8 +279,8 @@ void FluidExchange::follow(std::int64_t step, bool stays) {
     std::vector<Box> bodies(in.front().size() / 6, no_box());
     for (const auto& message : in) {
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            widen(bodies[b], get(message.data() + 6 * b),
-                  get(message.data() + 6 * b + 3));
+            widen(bodies[b], vector_at(message.data() + 6 * b),
+                  vector_at(message.data() + 6 * b + 3));
     }
     // Bodies without markers have empty boxes.
     std::erase_if(bodies, [](const Box& box) { return box[0][0] > box[1][0]; });
@@ -346,12 +306,11 @@ const MarkerBatch& FluidExchange::receive(const Occasion& when, bool stays) {
         check_header(in_[s], when, count, fmt::format("structure rank {}", s));
         const double* at = in_[s].data() + message_header;
         for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values_of(forcing_)) {
-            batch_.before_m[m] = get(at);
-            batch_.impulse[m] = get(at + 3);
-            batch_.now_m[m] = get(at + 6);
+            batch_.before_m[m] = vector_at(at);
+            batch_.impulse[m] = vector_at(at + 3);
+            batch_.now_m[m] = vector_at(at + 6);
+            if (!batch_.volume_m3.empty()) batch_.volume_m3[m] = at[9];
         }
-        if (!batch_.volume_m3.empty())
-            read_volumes(in_[s], std::span(batch_.volume_m3).subspan(m - count, count));
     }
     return batch_;
 }
@@ -369,8 +328,10 @@ void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity,
         double* at = out_[s].data() + message_header;
         for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values_of(forcing_)) {
             put(at, velocity[m]);
+            if (!more) continue;
+            at[3] = more->row_sum[m];
+            put(at + 4, more->passed[m]);
         }
-        if (more) write_answer(out_[s], *more, m - count, count);
         start_send(world_, partner, velocity_tag, out_[s], sending_);
     }
 }

@@ -61,14 +61,11 @@ void write_header(std::vector<double>& message, const Occasion& when,
 void check_header(std::span<const double> message, const Occasion& when,
                   std::size_t markers, const std::string& sender);
 
-// Copies a vector into a message and back.
+// Copies a vector into a message.
 inline void put(double* at, const Vec3& v) {
     at[0] = v[0];
     at[1] = v[1];
     at[2] = v[2];
-}
-inline Vec3 get(const double* at) {
-    return {at[0], at[1], at[2]};
 }
 
 // True if this exchange starts with a new partner table; repetitions of a step keep it.

@@ -11,8 +11,8 @@ static_assert(sizeof(InterfaceBalance) == balance_values * sizeof(double));
 
 namespace {
 
-double norm(double x, double y, double z) {
-    return std::sqrt(x * x + y * y + z * z);
+double length(const Vec3& v) {
+    return std::sqrt(dot(v, v));
 }
 
 // A difference without a scale counts as infinite, and so does NaN.
@@ -25,12 +25,12 @@ double relative(double difference, double scale) {
 }  // namespace
 
 void add_marker(InterfaceBalance& sum, const Vec3& impulse, const Vec3& fluid_velocity) {
+    sum.impulse_n_s += impulse;
     for (std::size_t d = 0; d < 3; ++d) {
-        sum.impulse_n_s[d] += impulse[d];
         sum.work_j += impulse[d] * fluid_velocity[d];
         sum.work_scale_j += std::abs(impulse[d] * fluid_velocity[d]);
     }
-    sum.impulse_scale_n_s += norm(impulse[0], impulse[1], impulse[2]);
+    sum.impulse_scale_n_s += length(impulse);
 }
 
 std::vector<double> BalanceRecord::values() const {
@@ -46,7 +46,7 @@ void BalanceRecord::set(std::span<const double> values) {
     steps_.clear();
     for (std::size_t at = 0; at + balance_values <= values.size(); at += balance_values) {
         const double* v = values.data() + at;
-        steps_.push_back({{v[0], v[1], v[2]}, v[3], v[4], v[5]});
+        steps_.push_back({vector_at(v), v[3], v[4], v[5]});
     }
 }
 
@@ -61,9 +61,7 @@ std::vector<double> BalanceRecord::collect(MPI_Comm comm) {
 Mismatch worst_mismatch(std::span<const double> given, std::span<const double> received) {
     Mismatch worst;
     for (std::size_t at = 0; at + balance_values <= given.size(); at += balance_values) {
-        const double momentum =
-            norm(given[at] - received[at], given[at + 1] - received[at + 1],
-                 given[at + 2] - received[at + 2]);
+        const double momentum = length(vector_at(&given[at]) - vector_at(&received[at]));
         const double power = std::abs(given[at + 3] - received[at + 3]);
         worst.momentum = std::max(worst.momentum, relative(momentum, given[at + 4]));
         worst.power = std::max(worst.power, relative(power, given[at + 5]));
@@ -74,7 +72,7 @@ Mismatch worst_mismatch(std::span<const double> given, std::span<const double> r
 Vec3 impulse_of(std::span<const double> steps) {
     Vec3 sum{};
     for (std::size_t at = 0; at + balance_values <= steps.size(); at += balance_values)
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += steps[at + d];
+        sum += vector_at(&steps[at]);
     return sum;
 }
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/fitted/constants.h"
-#include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/immersed_boundary/running_mean.h"
 
 namespace magfsi::coupler {
@@ -68,17 +66,9 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
       coupled_step_s_(scale.coupled_step_s),
       fluid_velocity_(markers_.size()),
       impulse_(markers_.size()) {
-    own_kappa_.reserve(markers_.size());
+    kappa_.reserve(markers_.size());
     for (const Marker& m : markers_)
-        own_kappa_.push_back(scale.drag_coefficient_kg_s(m.volume_m3));
-    kappa_ = own_kappa_;
-}
-
-// Row sums are bounded from below, since the stable substep depends on the largest kappa.
-void PenaltyForce::divide_by(std::span<const double> row_sum) {
-    for (std::size_t m = 0; m < kappa_.size(); ++m)
-        kappa_[m] = fitted::no_slip_strength * own_kappa_[m] /
-                    std::max(row_sum[m], fitted::least_row_sum);
+        kappa_.push_back(scale.drag_coefficient_kg_s(m.volume_m3));
 }
 
 void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
@@ -91,9 +81,7 @@ void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
 void PenaltyForce::let_change(std::span<const Vec3> start, std::span<const Vec3> end) {
     start_.assign(start.begin(), start.end());
     change_.assign(end.begin(), end.end());
-    for (std::size_t m = 0; m < change_.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d) change_[m][d] -= start_[m][d];
-    }
+    for (std::size_t m = 0; m < change_.size(); ++m) change_[m] -= start_[m];
     elapsed_s_ = 0;
 }
 
@@ -104,10 +92,8 @@ void PenaltyForce::hold(std::span<const Vec3> fluid_velocity) {
 // The middle of the substep makes the mean of U over the step that of its line.
 void PenaltyForce::follow(double duration_s) {
     const double part = (elapsed_s_ + 0.5 * duration_s) / coupled_step_s_;
-    for (std::size_t m = 0; m < change_.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d)
-            fluid_velocity_[m][d] = start_[m][d] + part * change_[m][d];
-    }
+    for (std::size_t m = 0; m < change_.size(); ++m)
+        fluid_velocity_[m] = start_[m] + part * change_[m];
     elapsed_s_ += duration_s;
 }
 
@@ -117,13 +103,9 @@ void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
     const auto enclosed = enclosed_.force();
     for (std::size_t m = 0; m < markers_.size(); ++m) {
         const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
-        Vec3 force = enclosed[m];
-        for (std::size_t d = 0; d < 3; ++d) {
-            const double given = kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
-            impulse_[m][d] += given * duration_s;
-            force[d] -= given;
-        }
-        to_nodes(markers_[m], force, nodal_force);
+        const Vec3 given = kappa_[m] * (velocity - fluid_velocity_[m]);
+        impulse_[m] += given * duration_s;
+        to_nodes(markers_[m], enclosed[m] - given, nodal_force);
     }
 }
 

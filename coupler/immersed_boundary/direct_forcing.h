@@ -50,7 +50,7 @@ inline Vec3 at_marker(const Marker& marker, const double* nodal) {
     Vec3 value{};
     for (std::size_t a = 0; a < 8; ++a) {
         const double* v = nodal + 3 * static_cast<std::ptrdiff_t>(marker.node[a]);
-        for (std::size_t d = 0; d < 3; ++d) value[d] += marker.weight[a] * v[d];
+        value += marker.weight[a] * vector_at(v);
     }
     return value;
 }
@@ -59,7 +59,7 @@ inline Vec3 at_marker(const Marker& marker, const double* nodal) {
 inline void to_nodes(const Marker& marker, const Vec3& force, double* nodal) {
     for (std::size_t a = 0; a < 8; ++a) {
         double* f = nodal + 3 * static_cast<std::ptrdiff_t>(marker.node[a]);
-        for (std::size_t d = 0; d < 3; ++d) f[d] += marker.weight[a] * force[d];
+        add_to(f, marker.weight[a] * force);
     }
 }
 
@@ -163,25 +163,21 @@ class PenaltyForce {
     // gravity_m_s2: zero if the scene has none.
     PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
                  const Vec3& gravity_m_s2);
+    virtual ~PenaltyForce() = default;
 
     const std::vector<Marker>& markers() const { return markers_; }
 
     // Starts a coupled step with the fluid's velocity at every marker [m/s] and clears
     // the impulses.
-    void begin_step(std::span<const Vec3> fluid_velocity);
+    virtual void begin_step(std::span<const Vec3> fluid_velocity);
 
     // Lets U change linearly over the coupled step from start to end; each substep takes
     // the value at its middle. To be called after begin_step.
-    void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
-
-    // Sets the coefficients for forcing no_slip: their own values times
-    // fitted::no_slip_strength, over the row sums of the marker system or
-    // fitted::least_row_sum, whichever is larger (no_slip.h).
-    void divide_by(std::span<const double> row_sum);
+    virtual void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
 
     // Holds U at another value than begin_step was given, which then counts for the
     // enclosed fluid only. To be called after begin_step.
-    void hold(std::span<const Vec3> fluid_velocity);
+    virtual void hold(std::span<const Vec3> fluid_velocity);
 
     // One substep of duration_s [s]: adds the forces, those of the enclosed fluid
     // included, to the nodes (nodal_force[3 * node + d], [N]) and the impulses to the
@@ -197,12 +193,14 @@ class PenaltyForce {
     EnclosedFluid& enclosed() { return enclosed_; }
     const EnclosedFluid& enclosed() const { return enclosed_; }
 
+  protected:
+    std::vector<double> kappa_;  // coefficient of each marker [kg/s]
+
   private:
     // Sets U to its value at the middle of the coming substep.
     void follow(double duration_s);
 
     std::vector<Marker> markers_;
-    std::vector<double> own_kappa_, kappa_;  // before and after divide_by [kg/s]
     EnclosedFluid enclosed_;
     double coupled_step_s_;
     double elapsed_s_ = 0;  // time since the start of the step

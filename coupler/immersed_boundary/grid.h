@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "base/grid/cells.h"
+#include "base/vector/vec3.h"
 
 namespace magfsi::coupler {
 
-using Vec3 = std::array<double, 3>;
+using magfsi::Vec3;
 
 // View of a container of Vec3 as one list of numbers.
 template <class Vectors>

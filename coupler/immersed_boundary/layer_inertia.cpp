@@ -12,12 +12,7 @@ namespace {
 
 // The part of v parallel to a surface; the normal may have any length.
 Vec3 along(const Vec3& v, const Vec3& normal) {
-    const double length2 =
-        normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-    const double across =
-        (v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2]) / length2;
-    return {v[0] - across * normal[0], v[1] - across * normal[1],
-            v[2] - across * normal[2]};
+    return v - dot(v, normal) / dot(normal, normal) * normal;
 }
 
 }  // namespace

@@ -107,19 +107,14 @@ class SlipMemory {
     // f - g, all [m/s].
     void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed,
              std::span<const Vec3> uneven) {
-        for (std::size_t m = 0; m < memory_.size(); ++m) {
-            for (std::size_t d = 0; d < 3; ++d)
-                memory_[m][d] += gain_ * (mean_velocity[m][d] - passed[m][d]) -
-                                 leak_[m] * uneven[m][d];
-        }
+        for (std::size_t m = 0; m < memory_.size(); ++m)
+            memory_[m] += gain_ * (mean_velocity[m] - passed[m]) - leak_[m] * uneven[m];
     }
 
     // U - p, which takes the place of U in the force [m/s].
     std::vector<Vec3> felt(std::span<const Vec3> fluid_velocity) const {
         std::vector<Vec3> all(fluid_velocity.begin(), fluid_velocity.end());
-        for (std::size_t m = 0; m < all.size(); ++m) {
-            for (std::size_t d = 0; d < 3; ++d) all[m][d] -= memory_[m][d];
-        }
+        for (std::size_t m = 0; m < all.size(); ++m) all[m] -= memory_[m];
         return all;
     }
 

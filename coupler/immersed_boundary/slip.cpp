@@ -16,21 +16,10 @@ Vec3 edge(const Marker& marker, const std::array<double, 8>& weight,
     return at_marker(along, nodal);
 }
 
-double dot(const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vec3 difference(const Vec3& a, const Vec3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 }  // namespace
 
 Vec3 area_vector(const Marker& marker, const MarkerArea& area, const double* nodal) {
-    const Vec3 a = edge(marker, area.first, nodal);
-    const Vec3 b = edge(marker, area.second, nodal);
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0]};
+    return cross(edge(marker, area.first, nodal), edge(marker, area.second, nodal));
 }
 
 void SlipRecord::add(std::span<const Marker> markers,
@@ -39,7 +28,7 @@ void SlipRecord::add(std::span<const Marker> markers,
     markers_ = markers.size();
     double& slip2 = slip2_.emplace_back(0);
     for (std::size_t m = 0; m < markers.size(); ++m) {
-        const Vec3 slip = difference(fluid_velocity[m], velocity[m]);
+        const Vec3 slip = fluid_velocity[m] - velocity[m];
         slip2 += dot(slip, slip);
         speed2_ += dot(velocity[m], velocity[m]);
     }
@@ -47,7 +36,7 @@ void SlipRecord::add(std::span<const Marker> markers,
     for (const MarkerArea& area : areas_) {
         const std::size_t m = area.marker;
         const Vec3 a = area_vector(markers[m], area, position);
-        const Vec3 slip = difference(fluid_velocity[m], velocity[m]);
+        const Vec3 slip = fluid_velocity[m] - velocity[m];
         leakage_m3_s_ += 0.5 * std::abs(dot(slip, a));
         surface_m2_ += std::sqrt(dot(a, a));
     }

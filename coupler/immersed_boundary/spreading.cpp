@@ -280,8 +280,7 @@ void TouchedRows::spread(std::span<const Vec3> impulse, double duration_s,
         1 / (grid_->spacing_m * grid_->spacing_m * grid_->spacing_m);
     with_support([&](auto cells) {
         for (std::size_t m = 0; m < stencils_.size(); ++m) {
-            Vec3 force = impulse[m];
-            for (double& f : force) f = f / duration_s * per_volume;
+            const Vec3 force = impulse[m] / duration_s * per_volume;
             if (plain_[m]) {
                 add_plain<cells()>(m, force, density.data());
                 continue;

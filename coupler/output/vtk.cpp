@@ -151,7 +151,7 @@ std::string grid_attributes(const ImageGrid& grid, const CellExtent& whole) {
     if (whole.cells() == 0)
         throw std::invalid_argument(
             fmt::format("grid extent {} holds no cell", extent_text(whole)));
-    const auto triple = [](const std::array<double, 3>& v) {
+    const auto triple = [](const Vec3& v) {
         return to_text(v[0]) + ' ' + to_text(v[1]) + ' ' + to_text(v[2]);
     };
     return fmt::format("WholeExtent=\"{}\" Origin=\"{}\" Spacing=\"{}\"",

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/vector/vec3.h"
+
 namespace magfsi::output {
 
 // All structures below refer to values that they do not own, which must live until they
@@ -40,8 +42,8 @@ struct CellExtent {
 
 // Geometry of a regular grid [m].
 struct ImageGrid {
-    std::array<double, 3> origin_m{};  // lowest corner of cell (0, 0, 0)
-    std::array<double, 3> spacing_m{};
+    Vec3 origin_m{};  // lowest corner of cell (0, 0, 0)
+    Vec3 spacing_m{};
 };
 
 // Writes one piece. Values are those of the extent's cells, x fastest. Throws

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/vector/vec3.h"
 #include "coupler/options.h"
 #include "coupler/participants/world.h"
 
@@ -38,7 +39,7 @@ struct RunPlan {
 
     // Properties of the fluid; 0 without one.
     double fluid_density_kg_m3 = 0;
-    std::array<double, 3> fluid_body_force_n_m3{};
+    Vec3 fluid_body_force_n_m3{};
     double given_speed_m_s = 0;  // largest speed of inlets, walls and initial flow
 
     // Names of what the solvers leave in the run folder, beside the coupler's own files.

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/fluid_side.h"
@@ -17,16 +16,20 @@ namespace magfsi::coupler {
 // Name of the task in which the fluid advances, in every scheme.
 inline constexpr const char* advance_fluid = "advance fluid";
 
-// All calls are collective over the fluid's ranks.
+// Each scheme is a class of its own (schemes.cpp). All calls are collective over the
+// fluid's ranks.
 class FluidCoupling {
   public:
     // Sends the description of the fluid's grid to the structure. session and fluid must
     // outlive this object.
     FluidCoupling(Session& session, GridFluid& fluid);
+    virtual ~FluidCoupling() = default;
+    FluidCoupling(const FluidCoupling&) = delete;
+    FluidCoupling& operator=(const FluidCoupling&) = delete;
 
     // Adds the tasks of a coupled step up to its count: after them the clock and the
     // fluid stand at t(n+1).
-    void add_tasks(TaskList& tasks);
+    virtual void add_tasks(TaskList& tasks) = 0;
 
     // Answers the structure's first exchange with the velocities at the first positions;
     // called before the first step.
@@ -38,41 +41,28 @@ class FluidCoupling {
     // Sums of the audit, null unless the run audits the interface.
     BalanceRecord* balance() const { return balance_.get(); }
 
-  private:
-    void add_serial(TaskList& tasks);
-    void add_implicit(TaskList& tasks);
-
-    void receive_markers();
-    // Takes over the boxes of a grid that may have moved.
-    void take_place();
-    void spread_impulses();
-    // Enters what this rank's cells received in the step.
-    void audit(const InterfaceBalance& received) { balance_->add(received); }
+  protected:
+    void receive(const Occasion& when, bool stays = false);
+    // Takes over the boxes of a grid that may have moved; true if they are others.
+    bool take_place();
     void advance();
     void sample_velocities();
     void send_velocities();
 
-    // Tasks of the implicit scheme.
-    void begin_iterations();
-    void check_convergence();
-
     Session& session_;
     GridFluid& fluid_;
-    const Coupling& options_;
-    FluidExchange exchange_;
-    FluidSide boundary_;
-    std::unique_ptr<BalanceRecord> balance_;
-    Occasion when_ = -1;                  // exchange that batch_ belongs to
-    const MarkerBatch* batch_ = nullptr;  // markers received last
-    std::span<const Vec3> sampled_;       // velocities at batch_->now_m
-    std::optional<NoSlipAnswer> answer_;  // set for forcing no_slip only
-    std::int64_t advances_ = 0;
+    std::unique_ptr<FluidSide> boundary_;  // of either forcing
+    const MarkerBatch* batch_ = nullptr;   // markers received last
 
-    // State of the implicit scheme.
-    int iteration_ = 0;
-    bool again_ = false;  // the step is repeated
-    // Velocities of the cells at t(n) [m/s], for the audit only.
-    std::vector<double> felt_;
+  private:
+    FluidExchange exchange_;
+    std::unique_ptr<BalanceRecord> balance_;
+    Occasion when_ = -1;             // exchange that batch_ belongs to
+    std::span<const Vec3> sampled_;  // velocities at batch_->now_m
+    std::int64_t advances_ = 0;
 };
+
+// The fluid's half in the scheme of the session's plan.
+std::unique_ptr<FluidCoupling> make_fluid_coupling(Session& session, GridFluid& fluid);
 
 }  // namespace magfsi::coupler

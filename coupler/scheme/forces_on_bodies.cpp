@@ -23,14 +23,14 @@ void add_to(Vec3& sum, const Vec3& force) {
 // of the enclosed fluid, and the inertia and weight of the fluid whose mass was taken off
 // the nodes.
 Vec3 StructureCoupling::force_on(std::size_t marker) const {
-    const double step_s = session_.clock().step_s();
-    const Vec3 velocity = at_marker(force_.markers()[marker], solver_.velocities());
-    Vec3 force = force_.enclosed().force()[marker];
+    const double step_s = step_.duration_s;
+    const Vec3 velocity = at_marker(force_->markers()[marker], solver_.velocities());
+    Vec3 force = force_->enclosed().force()[marker];
     for (std::size_t d = 0; d < 3; ++d) {
         const double acceleration = (velocity[d] - start_velocity_[marker][d]) / step_s -
                                     markers_.gravity_m_s2[d];
         force[d] += markers_.off_nodes_kg[marker] * acceleration -
-                    force_.impulse()[marker][d] / step_s;
+                    force_->impulse()[marker][d] / step_s;
     }
     return force;
 }
@@ -38,16 +38,16 @@ Vec3 StructureCoupling::force_on(std::size_t marker) const {
 std::vector<Vec3> StructureCoupling::force_on_bodies() {
     solver_.renew_ghost_velocities();
     std::vector<Vec3> sum(markers_.bodies);
-    for (std::size_t m = 0; m < force_.markers().size(); ++m)
-        add_to(sum[force_.markers()[m].body], force_on(m));
+    for (std::size_t m = 0; m < force_->markers().size(); ++m)
+        add_to(sum[force_->markers()[m].body], force_on(m));
     return over_ranks(std::move(sum), session_.world().local());
 }
 
 std::vector<Vec3> StructureCoupling::torque_on_bodies() {
     solver_.renew_ghost_velocities();
     std::vector<Vec3> sum(markers_.bodies);
-    for (std::size_t m = 0; m < force_.markers().size(); ++m) {
-        const Marker& marker = force_.markers()[m];
+    for (std::size_t m = 0; m < force_->markers().size(); ++m) {
+        const Marker& marker = force_->markers()[m];
         const Vec3 f = force_on(m), x = at_marker(marker, solver_.positions());
         add_to(sum[marker.body], {x[1] * f[2] - x[2] * f[1], x[2] * f[0] - x[0] * f[2],
                                   x[0] * f[1] - x[1] * f[0]});

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/refuse.h"
@@ -14,10 +13,6 @@ namespace {
 
 bool is(const FluidConfig& config, int side, BoundaryKind kind) {
     return config.boundaries[side].kind == kind;
-}
-
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
 }
 
 // Profile over s, the distance from the middle over half the width.
@@ -165,7 +160,7 @@ void check_inlet(const FluidConfig& config, int side) {
     const auto velocity = inlet_velocity(config, side);
     double peak = 0;
     for_each_cell(whole_side(config, side), [&](const Cell& c) {
-        if (is_open(config, side, c)) peak = std::max(peak, length(velocity(c)));
+        if (is_open(config, side, c)) peak = std::max(peak, norm(velocity(c)));
     });
     peak *= config.boundaries[side].inlet.peak_factor;
     check_lattice_speed(config, peak * units(config).velocity_m_s(), "inlet speed", side);
@@ -216,12 +211,16 @@ void check_outlets(const FluidConfig& config) {
 }  // namespace
 
 bool is_open(const FluidConfig& config, int side, const Cell& cell) {
+    // A cell at an inlet is open if a part of its face is, except for rounding.
+    if (config.boundaries[side].patch && is(config, side, BoundaryKind::velocity_inlet))
+        return shape_of(config, side, face_centre(side, cell)) > 1e-9;
+    return holds_centre(config, side, cell);
+}
+
+bool holds_centre(const FluidConfig& config, int side, const Cell& cell) {
     const Boundary& boundary = config.boundaries[side];
     if (!boundary.patch) return true;
     const std::array<double, 2> at = face_centre(side, cell);
-    // A cell at an inlet is open if a part of its face is, except for rounding.
-    if (is(config, side, BoundaryKind::velocity_inlet))
-        return shape_of(config, side, at) > 1e-9;
     const double dx = config.spacing_m;
     if (const Disc* disc = opening<Disc>(boundary)) {
         return std::hypot(at[0] * dx - disc->centre_m[0],
@@ -234,10 +233,7 @@ bool is_open(const FluidConfig& config, int side, const Cell& cell) {
 
 double opening_area_m2(const FluidConfig& config, int side) {
     const Boundary& boundary = config.boundaries[side];
-    if (const Disc* disc = opening<Disc>(boundary))
-        return std::numbers::pi * disc->diameter_m * disc->diameter_m / 4;
-    if (const Rectangle* r = opening<Rectangle>(boundary))
-        return r->size_m[0] * r->size_m[1];
+    if (boundary.patch) return area_m2(*boundary.patch);
     const std::array<int, 2> axes = in_plane(side);
     return config.spacing_m * config.spacing_m * config.cells[axes[0]] *
            config.cells[axes[1]];
@@ -259,16 +255,15 @@ std::function<Vec3(const Cell&)> inlet_velocity(const FluidConfig& config, int s
     const double faces =
         opening_area_m2(config, side) / (config.spacing_m * config.spacing_m);
     Vec3 peak = config.boundaries[side].inlet.velocity_m_s;
-    for (double& u : peak) u *= faces / sum / units(config).velocity_m_s();
+    peak *= faces / sum / units(config).velocity_m_s();
     return [&config, side, peak](const Cell& cell) {
-        const double shape = shape_of(config, side, face_centre(side, cell));
-        return Vec3{peak[0] * shape, peak[1] * shape, peak[2] * shape};
+        return peak * shape_of(config, side, face_centre(side, cell));
     };
 }
 
 void check_sides(const FluidConfig& config) {
     for (int side = 0; side < 6; ++side) {
-        check_lattice_speed(config, length(config.boundaries[side].wall_velocity_m_s),
+        check_lattice_speed(config, norm(config.boundaries[side].wall_velocity_m_s),
                             "wall speed", side);
         check_patch(config, side);
         check_inlet(config, side);

@@ -55,6 +55,8 @@ void for_each_cell(const CellBox& box, Use&& use) {
 // cell's face, at an outlet if it has the face's centre; without an opening all cells
 // are. cell: global indices.
 bool is_open(const FluidConfig& config, int side, const Cell& cell);
+// True if a side's opening holds the centre of the cell's face. cell: global indices.
+bool holds_centre(const FluidConfig& config, int side, const Cell& cell);
 
 // Area [m2] of the side's opening, or of the whole side.
 double opening_area_m2(const FluidConfig& config, int side);

@@ -19,7 +19,9 @@ using namespace d3q19;
 
 class VelocityInlet final : public SideEffect {
   public:
-    VelocityInlet(const SideContext& in, int side, const CellBox& side_cells);
+    // scale: factor of the configured velocity.
+    VelocityInlet(const SideContext& in, int side, const CellBox& side_cells,
+                  double scale);
 
     void after_exchange(const Populations& populations, const RowLayout& layout,
                         double time) override {
@@ -73,7 +75,53 @@ bool may_leave(const FluidConfig& config, int side) {
     return config.boundaries[side].inlet.factor || inflow_m3_s(config, side) < 0;
 }
 
-VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& side_cells)
+// Global indices of a cell, wrapped around periodic axes.
+Cell global(const SideContext& in, const Cell& local) {
+    Cell cell;
+    for (int a = 0; a < 3; ++a) {
+        const int count = in.config.cells[a];
+        cell[a] = in.owned().lo[a] + local[a];
+        if (in.decomposition.periodic[a]) cell[a] = (cell[a] + count) % count;
+    }
+    return cell;
+}
+
+// Factor by which the other cells take over the flow of those at the rim of an opening
+// whose centre lies beyond it and in an obstacle, as where a tube begins: without it up
+// to 5 % of the flow is lost in a tube of 8 cells. Each rank knows its own cells; the sum
+// runs in the same order on any ranks. Collective.
+double scale_at_rim(const SideContext& in, int side) {
+    const FluidConfig& config = in.config;
+    if (!config.boundaries[side].patch || !in.solids) return 1;
+    const auto [first, second] = in_plane(side);
+    const auto index = [&](const Cell& cell) {
+        return static_cast<std::size_t>(cell[second]) * config.cells[first] + cell[first];
+    };
+    std::vector<double> rim(static_cast<std::size_t>(config.cells[first]) *
+                            config.cells[second]);
+    if (const auto cells = in.cells_at(side)) {
+        for_each_cell(*cells, [&](const Cell& local) {
+            const Cell cell = global(in, local);
+            if (in.solids->solid(local) && !holds_centre(config, side, cell))
+                rim[index(cell)] = 1;
+        });
+    }
+    MPI_Allreduce(MPI_IN_PLACE, rim.data(), static_cast<int>(rim.size()), MPI_DOUBLE,
+                  MPI_SUM, in.comm);
+    const auto velocity = inlet_velocity(config, side);
+    double all = 0, lost = 0;
+    for_each_cell(*cells_at_side({{0, 0, 0}, config.cells}, config.cells, side),
+                  [&](const Cell& cell) {
+                      if (!is_open(config, side, cell)) return;
+                      const double flow = velocity(cell)[axis_of(side)];
+                      all += flow;
+                      lost += rim[index(cell)] * flow;
+                  });
+    return lost == 0 || lost == all ? 1 : all / (all - lost);
+}
+
+VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& side_cells,
+                             double scale)
     : side_(side),
       cells_(side_cells),
       in_plane_(in_plane(side)),
@@ -91,17 +139,14 @@ VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& sid
         ++margin.hi[a];
     }
     for_each_cell(margin, [&](const Cell& local) {
-        Cell cell;
+        const Cell cell = global(in, local);
         bool inside = true;
-        for (int a = 0; a < 3; ++a) {
-            const int count = in.config.cells[a];
-            cell[a] = in.owned().lo[a] + local[a];
-            if (in.decomposition.periodic[a]) cell[a] = (cell[a] + count) % count;
-            inside = inside && cell[a] >= 0 && cell[a] < count;
-        }
+        for (int a = 0; a < 3; ++a)
+            inside = inside && cell[a] >= 0 && cell[a] < in.config.cells[a];
         if (!inside || !is_open(in.config, side, cell)) return;
         open_[index(local)] = 1;
         velocity_[index(local)] = steady(cell);
+        for (double& component : velocity_[index(local)]) component *= scale;
     });
     for_each_cell(cells_, [&](const Cell& local) {
         if (open_[index(local)]) open_cells_.push_back(local);
@@ -188,8 +233,9 @@ void VelocityInlet::let_out(Real* base, int arrangement) const {
 
 std::unique_ptr<SideEffect> make_velocity_inlet_effect(const SideContext& in, int side) {
     if (may_leave(in.config, side)) check_depth(in.decomposition, side);
+    const double scale = scale_at_rim(in, side);
     const auto cells = in.cells_at(side);
-    return cells ? std::make_unique<VelocityInlet>(in, side, *cells) : nullptr;
+    return cells ? std::make_unique<VelocityInlet>(in, side, *cells, scale) : nullptr;
 }
 
 }  // namespace magfsi::fluid

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "base/vector/vec3.h"
 #include "fluid_lbm/lattice/d3q19.h"
 
 namespace magfsi::fluid {
@@ -12,8 +13,8 @@ namespace magfsi::fluid {
 // Flow in one cell.
 struct LocalFlow {
     double density_excess = 0;  // density - 1
-    std::array<double, 3> velocity{};
-    std::array<std::array<double, 3>, 3> gradient{};  // [a][b] = d u_a / d x_b
+    Vec3 velocity{};
+    std::array<Vec3, 3> gradient{};  // [a][b] = d u_a / d x_b
 };
 
 // Density and velocity of a cell from its 19 populations minus their weights, without the
@@ -25,7 +26,7 @@ LocalFlow flow_of(const Populations& f) {
         flow.density_excess += f[q];
         for (int a = 0; a < 3; ++a) flow.velocity[a] += d3q19::c[q][a] * f[q];
     }
-    for (double& u : flow.velocity) u /= 1 + flow.density_excess;
+    flow.velocity /= 1 + flow.density_excess;
     return flow;
 }
 

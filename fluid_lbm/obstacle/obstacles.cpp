@@ -2,6 +2,7 @@
 #include "fluid_lbm/obstacle/obstacles.h"
 
 #include <algorithm>
+#include <map>
 
 #include "fluid_lbm/refuse.h"
 
@@ -16,8 +17,8 @@ SolidMap::SolidMap(const FluidConfig& config, const Solids& solids, const CellBo
                    " found beside obstacles; at most ", most_cells_along,
                    ": take a larger spacing");
     }
-    const std::size_t rows = static_cast<std::size_t>(size_[1] + 2) * (size_[2] + 2);
-    of_cell_.assign(rows * (size_[0] + 2), fluid);
+    const std::size_t rows = row(-margin, size_[2] + margin);
+    of_cell_.assign(rows * (size_[0] + 2 * margin), fluid);
     row_has_solid_.assign(rows, 0);
     for (std::size_t i = 0; i < solids.size(); ++i) mark(*solids[i], static_cast<int>(i));
     cell_counts_.resize(solids.size());
@@ -48,22 +49,22 @@ void SolidMap::mark(const Solid& solid, int number) {
                      {1.0 * box_cells_[0], 1.0 * box_cells_[1], 1.0 * box_cells_[2]}};
     const std::vector<Bounds> parts = solid.parts_in(box);
     std::vector<char> inside(box_cells_[0]);
-    for (int z = -1; z <= size_[2]; ++z) {
-        for (int y = -1; y <= size_[1]; ++y) {
-            const Cell row = global({0, y, z});
+    for (int z = -margin; z < size_[2] + margin; ++z) {
+        for (int y = -margin; y < size_[1] + margin; ++y) {
+            const Cell at = global({0, y, z});
             const bool reached =
                 in_box({0, y, z}) && std::ranges::any_of(parts, [&](const Bounds& part) {
-                    return row[1] + 1 > part.low[1] && row[1] < part.high[1] &&
-                           row[2] + 1 > part.low[2] && row[2] < part.high[2];
+                    return at[1] + 1 > part.low[1] && at[1] < part.high[1] &&
+                           at[2] + 1 > part.low[2] && at[2] < part.high[2];
                 });
             if (!reached) continue;
             inside.assign(inside.size(), 0);
-            solid.mark_row(row[1] + 0.5, row[2] + 0.5, 0, inside);
-            for (int x = -1; x <= size_[0]; ++x) {
+            solid.mark_row(at[1] + 0.5, at[2] + 0.5, 0, inside);
+            for (int x = -margin; x < size_[0] + margin; ++x) {
                 if (!in_box({x, y, z}) || !inside[global({x, y, z})[0]]) continue;
                 short& owner = of_cell_[index({x, y, z})];
                 if (owner == fluid) owner = static_cast<short>(number);
-                row_has_solid_[index({-1, y, z}) / (size_[0] + 2)] = 1;
+                row_has_solid_[row(y, z)] = 1;
             }
         }
     }
@@ -72,7 +73,7 @@ void SolidMap::mark(const Solid& solid, int number) {
 bool SolidMap::near_solid(int y, int z) const {
     for (int dz = -1; dz <= 1; ++dz) {
         for (int dy = -1; dy <= 1; ++dy) {
-            if (row_has_solid_[index({-1, y + dy, z + dz}) / (size_[0] + 2)]) return true;
+            if (row_has_solid_[row(y + dy, z + dz)]) return true;
         }
     }
     return false;
@@ -189,6 +190,42 @@ CutLinks cut_links(const FluidConfig& config, const SolidMap& map, const Solids&
     return links;
 }
 
+// Shares of this rank's cells. A cell at a wall and the one behind it may be of two
+// ranks, or of the two ends of a periodic axis: each cell takes its own part, wherever
+// the other one is.
+std::vector<SurfaceShare> find_shares(const SolidMap& map, const Solids& solids,
+                                      const RowLayout& layout) {
+    const CellBox owned{{0, 0, 0}, {layout.nx, layout.ny, layout.nz}};
+    std::map<Cell, Vec3> of_cell;
+    const auto add = [&](const Cell& cell, int axis, double share) {
+        for (int a = 0; a < 3; ++a) {
+            if (cell[a] < owned.lo[a] || cell[a] >= owned.hi[a]) return;
+        }
+        of_cell[cell][axis] += share;
+    };
+    CellBox around = owned;
+    for (int a = 0; a < 3; ++a) {
+        --around.lo[a];
+        ++around.hi[a];
+    }
+    for_each_cell(around, [&](const Cell& cell) {
+        if (!map.near_solid(cell[1], cell[2]) || !map.in_box(cell) || map.solid(cell))
+            return;
+        for (int q = 1; q <= 6; ++q) {  // along the three axes
+            const int axis = (q - 1) / 2;
+            const int hit = map.obstacle(neighbour(cell, q, 1));
+            if (hit == SolidMap::fluid || !has_fluid_behind(map, cell, q)) continue;
+            const double d = wall_distance(map, *solids[hit], cell, q);
+            const double share = (d - 0.5) * (d - 0.5) / (2 * (1 + 2 * d));
+            add(cell, axis, share);
+            add(neighbour(cell, q, -1), axis, share);
+        }
+    });
+    std::vector<SurfaceShare> shares;
+    for (const auto& [cell, share] : of_cell) shares.push_back({cell, share});
+    return shares;
+}
+
 }  // namespace
 
 Obstacles::Obstacles(const FluidConfig& config, const Solids& solids,
@@ -197,6 +234,7 @@ Obstacles::Obstacles(const FluidConfig& config, const Solids& solids,
     : map_(config, solids, owned),
       links_(cut_links(config, map_, solids, populations, layout)),
       impulses_(solids.size() + 1) {
+    if (!config.is_patch) shares_ = find_shares(map_, solids, layout);
     find_rows(layout);
 }
 

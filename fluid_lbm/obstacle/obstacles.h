@@ -18,7 +18,7 @@
 
 namespace magfsi::fluid {
 
-// Map of the obstacle that each cell of this rank, and of the layer around it, lies in.
+// Map of the obstacle that each cell of this rank, and of two layers around it, lies in.
 // It is computed from the geometry alone, without messages between ranks.
 class SolidMap {
   public:
@@ -29,8 +29,8 @@ class SolidMap {
     // beyond another side count as fluid.
     SolidMap(const FluidConfig& config, const Solids& solids, const CellBox& owned);
 
-    // Number of the obstacle that holds a cell, or `fluid`. Local indices from -1 to the
-    // number of owned cells.
+    // Number of the obstacle that holds a cell, or `fluid`. Local indices from -margin to
+    // the number of owned cells plus margin - 1.
     int obstacle(const Cell& local) const { return of_cell_[index(local)]; }
     bool solid(const Cell& local) const { return obstacle(local) != fluid; }
 
@@ -40,14 +40,18 @@ class SolidMap {
     bool in_box(const Cell& local) const;
     // Number of this rank's cells in each obstacle.
     const std::vector<long long>& cell_counts() const { return cell_counts_; }
-    // True if a row of this rank, or one of the eight beside it, has a solid cell.
+    // True if a row of this rank or of the layer around it, or one of the eight beside
+    // that row, has a solid cell.
     bool near_solid(int y, int z) const;
 
   private:
+    static constexpr int margin = 2;  // layers around this rank's cells
     std::size_t index(const Cell& local) const {
-        return (static_cast<std::size_t>(local[2] + 1) * (size_[1] + 2) + local[1] + 1) *
-                   (size_[0] + 2) +
-               local[0] + 1;
+        return row(local[1], local[2]) * (size_[0] + 2 * margin) + local[0] + margin;
+    }
+    std::size_t row(int y, int z) const {
+        return static_cast<std::size_t>(z + margin) * (size_[1] + 2 * margin) + y +
+               margin;
     }
     // Enters an obstacle's cells into the map.
     void mark(const Solid& solid, int number);
@@ -55,7 +59,7 @@ class SolidMap {
     // Box of this map; cells of the whole box.
     std::array<int, 3> origin_, size_, box_cells_;
     std::array<bool, 3> periodic_;
-    // Obstacle of each cell, one layer around included, x fastest.
+    // Obstacle of each cell, the margin included, x fastest.
     std::vector<short> of_cell_;
     std::vector<char> row_has_solid_;
     std::vector<long long> cell_counts_;
@@ -85,6 +89,20 @@ struct CutLinks {
     // population that a cell sent to the side comes back to it, half-way; it strikes the
     // obstacle along its mirror image.
     std::vector<CutLink> reflected;
+};
+
+// What a fluid cell near an obstacle adds to the flow through a plane beyond its own
+// velocity. The sum of the fluid cells' velocities along a line across the plane is what
+// the fluid conserves where the wall is half a cell beyond the last of them. At another
+// distance d of the wall, where the velocity rises by g per cell, it lacks
+//     g (d - 1/2)^2 / 2,
+// the integral from the wall to that cell's face (d > 1/2), or the velocity that the cell
+// has beyond the wall (d < 1/2). g comes from the cell and the one behind it, (u + u_b) /
+// (1 + 2 d), because the cell alone has no accurate g where d is small. To count cells by
+// the open share of their face makes the flow worse: their velocity is not its mean.
+struct SurfaceShare {
+    Cell cell{};   // local indices
+    Vec3 share{};  // part of the velocity, by the axis of the line
 };
 
 // The obstacles as seen by one rank.
@@ -125,6 +143,10 @@ class Obstacles {
     // shares its region with coarser or finer ones.
     void count_only(const std::function<bool(const Cell& local)>& counts);
 
+    // Shares of this rank's cells; none in a patch of a refined grid, which no plane
+    // asks.
+    const std::vector<SurfaceShare>& surface_shares() const { return shares_; }
+
     // The solid cells of this rank as rows of local indices.
     const std::vector<CellRow>& rows() const { return rows_; }
 
@@ -136,6 +158,7 @@ class Obstacles {
     CutLinks links_;
     // One per reflected link: the population noted by note_sent().
     std::vector<double> sent_to_slip_;
+    std::vector<SurfaceShare> shares_;
     std::vector<CellRow> rows_;
     std::vector<Vec3> impulses_;
 };

@@ -10,13 +10,15 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
+#include "base/vector/vec3.h"
 #include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
 
-using Vec3 = std::array<double, 3>;
+using magfsi::Vec3;
 
 // Box around a body, in cells or in metres.
 struct Bounds {
@@ -34,34 +36,20 @@ inline void need(const char* what, double size_m) {
     if (!(size_m > 0)) refuse("has the ", what, " ", size_m, " m; it must be above 0");
 }
 
-inline void move_point(Vec3& point_m, const Vec3& by_m) {
-    for (std::size_t a = 0; a < 3; ++a) point_m[a] += by_m[a];
-}
-
-inline Vec3 in_cells(const Vec3& metres, double spacing_m) {
-    return {metres[0] / spacing_m, metres[1] / spacing_m, metres[2] / spacing_m};
-}
-
 // move() shifts a shape; level_set() describes it in cells and throws
 // std::invalid_argument if a size is not positive.
 struct Sphere {
     Vec3 centre_m{};
     double diameter_m = 0;
 
-    void move(const Vec3& by_m) { move_point(centre_m, by_m); }
+    void move(const Vec3& by_m) { centre_m += by_m; }
     LevelSet level_set(double spacing_m, const std::array<int, 3>& /*box_cells*/) const {
         need("diameter", diameter_m);
-        const Vec3 centre = in_cells(centre_m, spacing_m);
+        const Vec3 centre = centre_m / spacing_m;
         const double radius = diameter_m / (2 * spacing_m);
-        Bounds bounds;
-        for (int a = 0; a < 3; ++a) {
-            bounds.low[a] = centre[a] - radius;
-            bounds.high[a] = centre[a] + radius;
-        }
-        return {bounds, [centre, radius](const Vec3& x) {
-                    const double r[3] = {x[0] - centre[0], x[1] - centre[1],
-                                         x[2] - centre[2]};
-                    return r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - radius * radius;
+        const Vec3 reach{radius, radius, radius};
+        return {{centre - reach, centre + reach}, [centre, radius](const Vec3& x) {
+                    return dot(x - centre, x - centre) - radius * radius;
                 }};
     }
 };
@@ -73,11 +61,11 @@ struct Cylinder {
     int axis = 2;
     std::optional<double> length_m;  // absent: through the whole box
 
-    void move(const Vec3& by_m) { move_point(centre_m, by_m); }
+    void move(const Vec3& by_m) { centre_m += by_m; }
     LevelSet level_set(double spacing_m, const std::array<int, 3>& box_cells) const {
         need("diameter", diameter_m);
         if (length_m) need("length", *length_m);
-        Vec3 centre = in_cells(centre_m, spacing_m);
+        Vec3 centre = centre_m / spacing_m;
         const double radius = diameter_m / (2 * spacing_m);
         // A cylinder through the box has a margin of cells, so that the cells beyond a
         // periodic side are inside it as well.
@@ -87,19 +75,14 @@ struct Cylinder {
         } else {
             centre[axis] = 0.5 * box_cells[axis];
         }
-        Bounds bounds;
-        for (int a = 0; a < 3; ++a) {
-            const double reach = a == axis ? half_length : radius;
-            bounds.low[a] = centre[a] - reach;
-            bounds.high[a] = centre[a] + reach;
-        }
-        return {bounds, [centre, radius, half_length, along = axis](const Vec3& x) {
-                    double across = 0;
-                    for (int a = 0; a < 3; ++a) {
-                        if (a != along) across += (x[a] - centre[a]) * (x[a] - centre[a]);
-                    }
-                    return std::max(across - radius * radius,
-                                    std::abs(x[along] - centre[along]) - half_length);
+        Vec3 reach{radius, radius, radius};
+        reach[axis] = half_length;
+        return {{centre - reach, centre + reach},
+                [centre, radius, half_length, along = axis](const Vec3& x) {
+                    Vec3 across = x - centre;
+                    const double height = std::abs(std::exchange(across[along], 0));
+                    return std::max(dot(across, across) - radius * radius,
+                                    height - half_length);
                 }};
     }
 };
@@ -109,14 +92,14 @@ struct Block {
     Vec3 low_m{}, high_m{};  // opposite corners
 
     void move(const Vec3& by_m) {
-        move_point(low_m, by_m);
-        move_point(high_m, by_m);
+        low_m += by_m;
+        high_m += by_m;
     }
     LevelSet level_set(double spacing_m, const std::array<int, 3>& /*box_cells*/) const {
         constexpr const char* lengths[3] = {"length along x", "length along y",
                                             "length along z"};
         for (int a = 0; a < 3; ++a) need(lengths[a], high_m[a] - low_m[a]);
-        const Bounds bounds{in_cells(low_m, spacing_m), in_cells(high_m, spacing_m)};
+        const Bounds bounds{low_m / spacing_m, high_m / spacing_m};
         return {bounds, [bounds](const Vec3& x) {
                     double level = bounds.low[0] - x[0];
                     for (int a = 0; a < 3; ++a) {
@@ -135,18 +118,14 @@ struct StlSurface {
     double unit_m = 1;  // length of the file's unit
     Vec3 shift_m{};
 
-    void move(const Vec3& by_m) { move_point(shift_m, by_m); }
+    void move(const Vec3& by_m) { shift_m += by_m; }
 };
 
 using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
 
 // The same shape in coordinates with another origin.
 inline ObstacleShape seen_from(const Vec3& origin_m, ObstacleShape shape) {
-    std::visit(
-        [&](auto& one) {
-            one.move({-origin_m[0], -origin_m[1], -origin_m[2]});
-        },
-        shape);
+    std::visit([&](auto& one) { one.move(-origin_m); }, shape);
     return shape;
 }
 

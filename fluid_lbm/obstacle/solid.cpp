@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "base/words/likely_unit.h"
+#include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
@@ -34,10 +36,7 @@ class LevelSetSolid final : public Solid {
         double low = 0, high = 1;
         for (int halving = 0; halving < 50; ++halving) {
             const double middle = 0.5 * (low + high);
-            Vec3 at;
-            for (int a = 0; a < 3; ++a) {
-                at[a] = outside[a] + middle * (inside[a] - outside[a]);
-            }
+            const Vec3 at = outside + middle * (inside - outside);
             (body_.level(at) < 0 ? high : low) = middle;
         }
         return high;
@@ -151,25 +150,16 @@ std::string in_words(const Vec3& cells, double spacing_m) {
 // smaller than a cell: the file is in another unit, and the message guesses which.
 void check_size(const StlSurface& body, const Bounds& bounds, const FluidConfig& config) {
     constexpr double larger = 20;
-    Vec3 size;
-    for (int a = 0; a < 3; ++a) size[a] = bounds.high[a] - bounds.low[a];
-    const double most = *std::ranges::max_element(size);
+    const Vec3 size = bounds.high - bounds.low;
+    const double most = std::ranges::max(size);
     const double room = *std::ranges::max_element(config.cells);
     if (most <= larger * room && most >= 1) return;
-    std::string guess = "see that its unit is the file's";
-    for (const auto& [name, unit_m] :
-         {std::pair("1 m", 1.0), std::pair("1 cm", 1e-2), std::pair("1 mm", 1e-3),
-          std::pair("1 um", 1e-6)}) {
-        const double then = most * unit_m / body.unit_m;
-        if (then > 2 * room || then < 2) continue;
-        guess = std::string("unit: ") + name + "?";
-        break;
-    }
     const Vec3 box{1.0 * config.cells[0], 1.0 * config.cells[1], 1.0 * config.cells[2]};
     refuse("is the STL file ", body.file, ", which spans ",
            in_words(size, config.spacing_m), " in a box of ",
-           in_words(box, config.spacing_m), " with cells of ", config.spacing_m,
-           " m: ", guess);
+           in_words(box, config.spacing_m), " with cells of ", config.spacing_m, " m: ",
+           words::likely_unit(most * config.spacing_m, body.unit_m, 2 * config.spacing_m,
+                              2 * room * config.spacing_m));
 }
 
 }  // namespace

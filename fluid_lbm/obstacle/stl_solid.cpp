@@ -15,19 +15,18 @@ namespace magfsi::fluid {
 
 namespace {
 
-using surface::cross_product, surface::dot, surface::minus, surface::normal,
-    surface::Triangle;
+using surface::normal, surface::Triangle;
 
 // Fraction of the segment from a to b at which it meets the triangle (Moeller and
 // Trumbore 1997), absent if it does not. A margin prevents segments from slipping between
 // two triangles.
 std::optional<double> meets(const Triangle& t, const Vec3& a, const Vec3& b) {
     constexpr double margin = 1e-9;
-    const Vec3 way = minus(b, a), e1 = minus(t[1], t[0]), e2 = minus(t[2], t[0]);
-    const Vec3 p = cross_product(way, e2);
+    const Vec3 way = b - a, e1 = t[1] - t[0], e2 = t[2] - t[0];
+    const Vec3 p = cross(way, e2);
     const double determinant = dot(e1, p);
     if (determinant == 0) return {};
-    const Vec3 from = minus(a, t[0]), q = cross_product(from, e1);
+    const Vec3 from = a - t[0], q = cross(from, e1);
     const double u = dot(from, p) / determinant, v = dot(way, q) / determinant;
     if (u < -margin || v < -margin || u + v > 1 + margin) return {};
     const double s = dot(e2, q) / determinant;
@@ -39,7 +38,7 @@ std::optional<double> meets(const Triangle& t, const Vec3& a, const Vec3& b) {
 bool plane_meets_cube(const Triangle& t, const Vec3& n, const std::array<int, 3>& low) {
     const Vec3 centre{low[0] + 0.5, low[1] + 0.5, low[2] + 0.5};
     const double reach = 0.51 * (std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]));
-    return std::abs(dot(n, minus(centre, t[0]))) <= reach;
+    return std::abs(dot(n, centre - t[0])) <= reach;
 }
 
 Bounds bounds_of(const std::vector<Triangle>& triangles) {
@@ -47,10 +46,8 @@ Bounds bounds_of(const std::vector<Triangle>& triangles) {
     Bounds bounds{{huge, huge, huge}, {-huge, -huge, -huge}};
     for (const Triangle& t : triangles) {
         for (const Vec3& corner : t) {
-            for (int a = 0; a < 3; ++a) {
-                bounds.low[a] = std::min(bounds.low[a], corner[a]);
-                bounds.high[a] = std::max(bounds.high[a], corner[a]);
-            }
+            bounds.low = lower(bounds.low, corner);
+            bounds.high = higher(bounds.high, corner);
         }
     }
     return bounds;
@@ -218,14 +215,10 @@ std::shared_ptr<const Solid> make_stl_solid(const StlSurface& body, double spaci
                                             const Bounds& box) {
     need("scale", body.unit_m);
     auto read = surface::read_closed(body.file, body.unit_m / spacing_m,
-                                     in_cells(body.shift_m, spacing_m));
-    Bounds reach = box;
-    for (int a = 0; a < 3; ++a) {
-        const double around = box.high[a] - box.low[a] + 2;
-        reach.low[a] -= around;
-        reach.high[a] += around;
-    }
-    return std::make_shared<TriangulatedSolid>(std::move(read.triangles), reach);
+                                     body.shift_m / spacing_m);
+    const Vec3 around = box.high - box.low + Vec3{2, 2, 2};
+    return std::make_shared<TriangulatedSolid>(
+        std::move(read.triangles), Bounds{box.low - around, box.high + around});
 }
 
 StlExtent stl_extent(const StlSurface& body) {
@@ -233,18 +226,12 @@ StlExtent stl_extent(const StlSurface& body) {
     auto [triangles, parts] = surface::read_closed(body.file, body.unit_m, body.shift_m);
     StlExtent out{bounds_of(triangles), 0, parts, triangles.size()};
     const Vec3& origin = out.bounds_m.low;
-    double largest = 0;
     for (const Triangle& t : triangles)
-        out.volume_m3 += dot(minus(t[0], origin),
-                             cross_product(minus(t[1], origin), minus(t[2], origin))) /
-                         6;
+        out.volume_m3 += dot(t[0] - origin, cross(t[1] - origin, t[2] - origin)) / 6;
     if (parts == 1) return out;
-    for (int a = 0; a < 3; ++a)
-        largest = std::max(largest, out.bounds_m.high[a] - out.bounds_m.low[a]);
-    const double cell_m = largest / 200;
+    const double cell_m = std::ranges::max(out.bounds_m.high - origin) / 200;
     for (Triangle& t : triangles) {
-        for (Vec3& corner : t)
-            for (int a = 0; a < 3; ++a) corner[a] = (corner[a] - origin[a]) / cell_m;
+        for (Vec3& corner : t) corner = (corner - origin) / cell_m;
     }
     const TriangulatedSolid solid(std::move(triangles), {{-1, -1, -1}, {201, 201, 201}});
     const double held_m3 = volume_in_cells(solid) * cell_m * cell_m * cell_m;

@@ -25,9 +25,8 @@ Scales to_fine(const Level& coarse, const Level& fine) {
     const FluidConfig& f = fine.fluid.config();
     Scales scales{relaxation_time(f) / (2 * relaxation_time(c)), {}};
     if (!c.body_force_n_m3) return scales;
-    for (std::size_t a = 0; a < 3; ++a)
-        scales.velocity[a] = (*c.body_force_n_m3)[a] *
-                             (1 / units(c).force_n_m3() - 1 / units(f).force_n_m3()) / 2;
+    scales.velocity =
+        *c.body_force_n_m3 * (1 / units(c).force_n_m3() - 1 / units(f).force_n_m3()) / 2;
     return scales;
 }
 

@@ -16,7 +16,8 @@ struct Level {
     Level(MPI_Comm comm, const FluidConfig& coarse, const LevelPlace& where, int level)
         : place(where),
           fluid(comm, config_at(coarse, where, level)),
-          solids(make_solids(fluid.config())) {}
+          solids(make_solids(fluid.config())),
+          owned_(shifted(state().owned(), place.stored.lo)) {}
 
     LevelPlace place;
     Fluid fluid;
@@ -31,7 +32,7 @@ struct Level {
             boxes.push_back(shifted(box, place.stored.lo));
         return boxes;
     }
-    CellBox owned() const { return shifted(state().owned(), place.stored.lo); }
+    const CellBox& owned() const { return owned_; }
 
     // Map of the solid cells of a box in this level's indices; null in a scene without
     // obstacles. It is computed from the geometry alone, without messages.
@@ -47,13 +48,15 @@ struct Level {
 
     // A row of this rank's cells in the rank's local indices.
     CellRow local(CellRow row) const {
-        const CellBox box = owned();
-        row.y -= box.lo[1];
-        row.z -= box.lo[2];
-        row.x_begin -= box.lo[0];
-        row.x_end -= box.lo[0];
+        row.y -= owned_.lo[1];
+        row.z -= owned_.lo[2];
+        row.x_begin -= owned_.lo[0];
+        row.x_end -= owned_.lo[0];
         return row;
     }
+
+  private:
+    CellBox owned_;
 };
 
 }  // namespace magfsi::fluid

@@ -131,13 +131,9 @@ class Placement {
         BodyBox all =
             brought_near(bodies_m_[bodies.front()], middle_of(coarse_), coarse_);
         for (const std::size_t b : bodies) {
-            Vec3 middle_m;
-            for (std::size_t d = 0; d < 3; ++d) middle_m[d] = (all[0][d] + all[1][d]) / 2;
-            const BodyBox near = brought_near(bodies_m_[b], middle_m, coarse_);
-            for (std::size_t d = 0; d < 3; ++d) {
-                all[0][d] = std::min(all[0][d], near[0][d]);
-                all[1][d] = std::max(all[1][d], near[1][d]);
-            }
+            const auto [low, high] =
+                brought_near(bodies_m_[b], (all[0] + all[1]) / 2, coarse_);
+            all = {lower(all[0], low), higher(all[1], high)};
         }
         return brought_near(all, middle_of(coarse_), coarse_);
     }

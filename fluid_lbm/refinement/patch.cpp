@@ -100,15 +100,14 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
                 boundary.kind == BoundaryKind::pressure_outlet) {
                 refuse("the refined patch reaches the ", name_of(boundary.kind), " at ",
                        side_name[side],
-                       "; keep the bodies, or fluid.refinement.box, further from it, or "
-                       "make fluid.box larger");
+                       "; keep the bodies and their margin, or fluid.refinement.box, ",
+                       apart_cells * 2 * config.spacing_m,
+                       " m from it, or make fluid.box larger");
             }
         }
     }
     const auto moved = [origin_m](const auto& of_point) {
-        return [=](const Vec3& x) {
-            return of_point({x[0] + origin_m[0], x[1] + origin_m[1], x[2] + origin_m[2]});
-        };
+        return [=](const Vec3& x) { return of_point(x + origin_m); };
     };
     for (Obstacle& obstacle : config.obstacles)
         obstacle.shape = seen_from(origin_m, obstacle.shape);

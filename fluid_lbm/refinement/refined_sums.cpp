@@ -43,8 +43,7 @@ Totals RefinedFluid::totals() const {
     for_each_patch([&](int l, int nest) {
         const Totals part = level(l, nest).totals(counted_of(l, nest));
         all.mass_kg += part.mass_kg;
-        for (std::size_t a = 0; a < 3; ++a)
-            all.momentum_kg_m_s[a] += part.momentum_kg_m_s[a];
+        all.momentum_kg_m_s += part.momentum_kg_m_s;
         all.kinetic_energy_j += part.kinetic_energy_j;
         all.sound_energy_j += part.sound_energy_j;
         all.max_speed_m_s = std::max(all.max_speed_m_s, part.max_speed_m_s);
@@ -98,8 +97,7 @@ void RefinedFluid::add_pushes(int number, int nest, double sign) {
     const double dx = s.config.spacing_m;
     const double unit = sign * s.unit.force_n_m3() * dx * dx * dx / (1 << number);
     for (std::size_t i = 0; i < pushed_n_.size(); ++i) {
-        for (std::size_t a = 0; a < 3; ++a)
-            pushed_n_[i][a] += unit * s.obstacles->impulses()[i][a];
+        pushed_n_[i] += unit * s.obstacles->impulses()[i];
     }
 }
 

@@ -44,8 +44,7 @@ double local_relaxation_time(const FluidConfig& config, double lattice_speed) {
 // What makes a force smaller: a body force above the limit is the cause by itself, the
 // other forces are those of immersed bodies, and only the penalty has a strength.
 const char* softer(const FluidConfig& config) {
-    const Vec3 half = half_body_force(config);
-    if (2 * std::hypot(half[0], half[1], half[2]) > hard_push)
+    if (2 * norm(half_body_force(config)) > hard_push)
         return "take a smaller fluid.body_force or a shorter time step";
     return config.holds_no_slip
                ? "take a shorter time step or more coupling.substeps"

@@ -19,12 +19,13 @@ struct RowMoments {
     std::array<std::vector<double>, 3> j;  // sum of c f, by component
 };
 
-// View of a rank's populations: all that sampling needs.
+// View of a rank's populations: all that sampling and sweeping need.
 struct View {
     const Populations& populations;
     const RowLayout& layout;
     Arrangement arrangement;
     const AnyKernels& kernels;
+    const CollisionParameters& parameters;
 };
 
 // Moments of the cells x_begin <= x < x_end of an owned row. In the swapped arrangement

@@ -9,7 +9,7 @@ namespace magfsi::fluid {
 
 namespace {
 
-using Stress = std::array<std::array<double, 3>, 3>;
+using Stress = std::array<Vec3, 3>;
 
 // Second moment of a cell's populations beyond its equilibrium.
 Stress stress_of(std::span<const double> f, const LocalFlow& flow) {
@@ -58,9 +58,7 @@ StepChange step_change(const FluidConfig& config, double old_step_s) {
     change.velocity = config.time_step_s / old_step_s;
     change.stress = relaxation_time(config) / relaxation_time(before) * change.velocity;
     if (!config.body_force_n_m3) return change;
-    const Vec3 half = half_body_force(config);
-    for (std::size_t a = 0; a < 3; ++a)
-        change.momentum[a] = half[a] * (1 / change.velocity - 1);
+    change.momentum = half_body_force(config) * (1 / change.velocity - 1);
     return change;
 }
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <span>
 
+#include "base/vector/vec3.h"
 #include "fluid_lbm/config.h"
 
 namespace magfsi::fluid {
@@ -24,7 +25,7 @@ struct StepChange {
     double stress = 1;    // new tau dt over the old one
     // Change of momentum: populations lack half a step of the body force (Guo), and that
     // half changes with the step.
-    std::array<double, 3> momentum{};
+    Vec3 momentum{};
 };
 
 // The change from a time step of old_step_s to that of config. The relaxation times are

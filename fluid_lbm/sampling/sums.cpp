@@ -71,16 +71,17 @@ Layers layers_at(int axis, double at_cells, int count, bool periodic) {
 }
 
 // Sums over the cells of two layers, each cell by the weight of its layer; lattice units.
+// The flow is that of mass over the density at rest: it is the same through every plane,
+// while that of volume changes with the pressure, as the fluid is slightly compressible.
 struct PlaneSums {
     double flow = 0, momentum[3] = {}, excess = 0, cells = 0;
 };
 
 void add_cell(const RowMoments& m, std::size_t i, int axis, double weight,
               PlaneSums& sum) {
-    const double density = 1 + m.excess[i];
-    const double through = m.j[axis][i] / density;
-    sum.flow += weight * through;
-    for (int a = 0; a < 3; ++a) sum.momentum[a] += weight * through * m.j[a][i];
+    const double velocity = m.j[axis][i] / (1 + m.excess[i]);
+    sum.flow += weight * m.j[axis][i];
+    for (int a = 0; a < 3; ++a) sum.momentum[a] += weight * velocity * m.j[a][i];
     sum.excess += weight * m.excess[i];
     sum.cells += weight;
 }
@@ -108,6 +109,22 @@ PlaneSums sum_layers(const Fluid::State& s, const Layers& layers) {
         }
     }
     return sum;
+}
+
+// What the strips at obstacles add to the flow of this rank's cells (SurfaceShare).
+double flow_at_surfaces(const Fluid::State& s, const Layers& layers) {
+    if (!s.obstacles) return 0;
+    double flow = 0;
+    RowMoments m;
+    for (const auto& [cell, share] : s.obstacles->surface_shares()) {
+        const double weight =
+            layers.weight(s.owned().lo[layers.axis] + cell[layers.axis]);
+        if (weight == 0) continue;
+        moments_in_time(s, {cell[1], cell[2], cell[0], cell[0] + 1}, m);
+        for (int a = 0; a < 3; ++a)
+            if (a != layers.axis) flow += weight * share[a] * m.j[layers.axis][0];
+    }
+    return flow;
 }
 
 }  // namespace
@@ -142,9 +159,10 @@ Totals Fluid::totals(std::span<const CellBox> parts) const {
 
 PlaneFlow Fluid::plane_flow(int axis, double at_m) const {
     const State& s = *state_;
-    PlaneSums sum =
-        sum_layers(s, layers_at(axis, at_m / s.config.spacing_m, s.config.cells[axis],
-                                periodic_axes(s.config)[axis]));
+    const Layers layers = layers_at(axis, at_m / s.config.spacing_m, s.config.cells[axis],
+                                    periodic_axes(s.config)[axis]);
+    PlaneSums sum = sum_layers(s, layers);
+    sum.flow += flow_at_surfaces(s, layers);
     static_assert(sizeof sum == 6 * sizeof(double));
     sum_over_ranks(s.comm, &sum.flow, 6);
 

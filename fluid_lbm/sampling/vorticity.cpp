@@ -124,19 +124,12 @@ Vec3 VelocityField::derivative(const Cell& cell, int axis) const {
             value[side] = at(next[0], next[1], next[2]);
         }
     }
-    Vec3 slope{};
-    for (int a = 0; a < 3; ++a) {
-        if (wall_side < 0) {
-            slope[a] = 0.5 * (value[1][a] - value[0][a]);
-        } else {
-            // Parabola through -1/2 (wall), 0 and 1, at 0.
-            const double wall = (*wall_velocity_[2 * axis + wall_side])[a];
-            const double inward = value[1 - wall_side][a];
-            const double rise = -4.0 / 3 * wall + here[a] + inward / 3;
-            slope[a] = wall_side == 0 ? rise : -rise;
-        }
-    }
-    return slope;
+    if (wall_side < 0) return 0.5 * (vector_at(value[1]) - vector_at(value[0]));
+    // Parabola through -1/2 (wall), 0 and 1, at 0.
+    const Vec3& wall = *wall_velocity_[2 * axis + wall_side];
+    const Vec3 rise =
+        -4.0 / 3 * wall + vector_at(here) + vector_at(value[1 - wall_side]) / 3;
+    return wall_side == 0 ? rise : -rise;
 }
 
 Vec3 VelocityField::curl(int x, int y, int z) const {
@@ -149,7 +142,7 @@ Vec3 VelocityField::curl(int x, int y, int z) const {
 
 double VelocityField::enstrophy(int x, int y, int z) const {
     const Vec3 w = curl(x, y, z);
-    return 0.5 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    return 0.5 * dot(w, w);
 }
 
 void VelocityField::add_enstrophy_of_row(const CellRow& row, double& sum) const {

@@ -10,13 +10,12 @@ namespace {
 constexpr int body_force = 0;
 }  // namespace
 
-ForcedRows::ForcedRows(int nx, int ny, int nz,
-                       const std::optional<std::array<double, 3>>& body,
+ForcedRows::ForcedRows(int nx, int ny, int nz, const std::optional<Vec3>& body,
                        Precision precision)
     : nx_(nx),
       ny_(ny),
       everywhere_(body.has_value()),
-      body_(body.value_or(std::array<double, 3>{})),
+      body_(body.value_or(Vec3{})),
       first_slot_(everywhere_ ? 1 : 0),
       slot_of_row_(static_cast<std::size_t>(ny) * nz,
                    everywhere_ ? body_force : no_force) {
@@ -41,7 +40,7 @@ void ForcedRows::grow() {
         lines_);
 }
 
-void ForcedRows::fill(int slot, const std::array<double, 3>& value) {
+void ForcedRows::fill(int slot, const Vec3& value) {
     if (slot >= slots_) grow();
     std::visit(
         [&]<class Real>(Lines<Real>& lines) {

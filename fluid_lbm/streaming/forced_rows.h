@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/vector/vec3.h"
 #include "fluid_lbm/lattice/populations.h"
 
 namespace magfsi::fluid {
@@ -26,7 +27,7 @@ class ForcedRows {
     // nx, ny, nz: the rank's cells. body: the body force, which acts in all rows; absent:
     // rows are free of force until add(). Forces are stored in the type of the
     // populations, so that kernels read both alike.
-    ForcedRows(int nx, int ny, int nz, const std::optional<std::array<double, 3>>& body,
+    ForcedRows(int nx, int ny, int nz, const std::optional<Vec3>& body,
                Precision precision);
 
     // Removes all forces but the body force.
@@ -73,7 +74,7 @@ class ForcedRows {
 
     // Slot of a row's force; a new one, filled with the body force, if the row has none.
     int claim(int row);
-    void fill(int slot, const std::array<double, 3>& value);
+    void fill(int slot, const Vec3& value);
     // Doubles the number of slots.
     void grow();
     // Number of the line where a slot begins. There is one array per axis, so that a
@@ -84,7 +85,7 @@ class ForcedRows {
 
     int nx_, ny_;
     bool everywhere_;
-    std::array<double, 3> body_;
+    Vec3 body_;
     // First slot that rows can claim; slot 0 is the body force, if there is one.
     int first_slot_;
     std::vector<int> slot_of_row_;  // no_force where a row has none

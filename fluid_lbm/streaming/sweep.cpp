@@ -96,7 +96,6 @@ ForcePointers<Real> force_of(const ForcedRows& forces, int y, int z) {
 template <class Forces, class Real>
 struct SweepRows {
     const View& now;
-    const CollisionParameters& parameters;
     const RowKernels<Real>& kernels;
     const Forces& forces;
     bool x_ends = true;
@@ -115,7 +114,7 @@ struct SweepRows {
         } else if (swapped) {
             rest_x_ends(p, layout);
         }
-        const bool valid = kernel(p.at, force.at, layout.nx, parameters);
+        const bool valid = kernel(p.at, force.at, layout.nx, now.parameters);
         std::optional<InvalidCell> invalid;
         if (!valid) invalid = find_invalid(p, force, layout.nx, kernels.moments, y, z);
         if (swapped && x_ends) close_x_ends(p, layout);
@@ -144,17 +143,14 @@ struct SweepRows {
 }  // namespace
 
 std::optional<InvalidCell> sweep(const View& now, const ForcedRows* forces,
-                                 const CollisionParameters& parameters, const RowBox& box,
-                                 bool x_ends) {
+                                 const RowBox& box, bool x_ends) {
     return std::visit(
         [&]<class Real>(const RowKernels<Real>& kernels) {
             if (forces) {
-                return SweepRows<ForcedRows, Real>{now, parameters, kernels, *forces,
-                                                   x_ends}
-                    .step(box);
+                return SweepRows<ForcedRows, Real>{now, kernels, *forces, x_ends}.step(
+                    box);
             }
-            return SweepRows<NoForces, Real>{now, parameters, kernels, {}, x_ends}.step(
-                box);
+            return SweepRows<NoForces, Real>{now, kernels, {}, x_ends}.step(box);
         },
         now.kernels);
 }

@@ -33,7 +33,6 @@ struct InvalidCell {
 // take cores from other processes: where cores are shared, run with
 // OMP_WAIT_POLICY=passive.
 std::optional<InvalidCell> sweep(const View& now, const ForcedRows* forces,
-                                 const CollisionParameters& parameters, const RowBox& box,
-                                 bool x_ends = true);
+                                 const RowBox& box, bool x_ends = true);
 
 }  // namespace magfsi::fluid

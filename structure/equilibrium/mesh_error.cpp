@@ -23,10 +23,8 @@ class Middles {
             number_.try_emplace(parents, static_cast<int>(nodes_.size()));
         if (!first) return place->second;
         Vec3 middle{};
-        for (const int node : parents) {
-            for (std::size_t d = 0; d < 3; ++d)
-                middle[d] += nodes_[node][d] / static_cast<double>(parents.size());
-        }
+        for (const int node : parents)
+            middle += nodes_[node] / static_cast<double>(parents.size());
         nodes_.push_back(middle);
         return place->second;
     }
@@ -105,11 +103,8 @@ std::vector<Vec3> linear_response(const Body& body, const StaticLoads& loads) {
 }
 
 double displacement_error(const Vec3& here_m, const Vec3& on_refined_m) {
-    double along = 0, refined = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-        along += here_m[d] * on_refined_m[d];
-        refined += on_refined_m[d] * on_refined_m[d];
-    }
+    const double along = dot(here_m, on_refined_m);
+    const double refined = dot(on_refined_m, on_refined_m);
     return refined > 0 ? std::max(along / refined - 1, -1.0) : 0;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "structure/magnetics/magnetization.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -177,7 +178,7 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
             (void)settle(state, load);
         }
         if (state.load_steps > max_load_steps) {
-            fail(state, load, found.response.element);
+            fail(state, load);
         }
         settled = false;
         step = (ahead - reached) * std::clamp(room, 1.0, 4.0);
@@ -190,7 +191,7 @@ void NewtonSolver::release_at(Progress& state, const NodalLoads& load) {
     state.iterations += found.iterations;
     state.take(found);
     ++state.releases;
-    if (!found.converged) fail(state, load, found.response.element);
+    if (!found.converged) fail(state, load);
 }
 
 void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
@@ -217,7 +218,7 @@ void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
     }
     ++state.releases;
     if (!std::isfinite(lowest)) {
-        fail(state, load, problem_.response(balanced, load).element);
+        fail(state, load);
     }
 }
 
@@ -285,19 +286,22 @@ Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
     return out;
 }
 
-void NewtonSolver::fail(const Progress& state, const NodalLoads& load,
-                        int worst_element) const {
+void NewtonSolver::fail(const Progress& state, const NodalLoads& load) const {
     const auto response = problem_.response(state.x, load);
+    const Mesh& mesh = problem_.body().mesh;
+    const auto place = [](const Vec3& x) {
+        return fmt::format("at ({:.4g}, {:.4g}, {:.4g}) m at rest", x[0], x[1], x[2]);
+    };
     Eigen::Index worst = 0;
     response.residual_n.cwiseAbs().maxCoeff(&worst);
-    throw std::runtime_error(
-        fmt::format("body {}: no equilibrium at {:.3g} of the load after {} load steps "
-                    "and {} iterations; the residual is {:.2g} of the load, largest at "
-                    "node {}, and the smallest J is {:.3g} in element {}: use weaker "
-                    "loads, a finer mesh or more points on the way",
-                    problem_.body().name, state.load_factor, state.load_steps,
-                    state.iterations, problem_.relative_residual(response), worst / 3,
-                    response.smallest_j, worst_element));
+    throw std::runtime_error(fmt::format(
+        "body {}: no equilibrium at {:.3g} of the load after {} load steps "
+        "and {} iterations; the residual is {:.2g} of the load, largest at "
+        "the node {}, and the smallest J is {:.3g} in the element {}: use "
+        "weaker loads, a finer mesh or more points on the way",
+        problem_.body().name, state.load_factor, state.load_steps, state.iterations,
+        problem_.relative_residual(response), place(mesh.nodes[worst / 3]),
+        response.smallest_j, place(element_centre(mesh, response.element))));
 }
 
 std::string unresolved_loads(const std::string& body) {

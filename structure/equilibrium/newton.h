@@ -103,8 +103,7 @@ class NewtonSolver {
     void refine(Progress& state, const NodalLoads& load, Equilibrium& out);
     // Settles and refines the state and fills in the result.
     Equilibrium finish(Progress& state, const StaticLoads& loads);
-    [[noreturn]] void fail(const Progress& state, const NodalLoads& load,
-                           int worst_element) const;
+    [[noreturn]] void fail(const Progress& state, const NodalLoads& load) const;
 
     EquilibriumOptions options_;
     StaticProblem problem_;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "structure/magnetics/magnetization.h"
 #include "structure/mesh/mesh_check.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
@@ -91,11 +92,13 @@ void require_held(const Body& body, const Vec3& gravity_m_s2,
     });
     if (along.size() > 1 && loose != along.end()) {
         const int number = loose - along.begin();
+        const Vec3 there =
+            element_centre(body.mesh, std::ranges::find(part, number) - part.begin());
         refuse(
-            "body {} is in {} parts that share no node, and the part of element {} is "
-            "not held along every axis: join the parts in the mesh, clamp each, or make "
-            "each a body of its own",
-            body.name, along.size(), std::ranges::find(part, number) - part.begin());
+            "body {} is in {} parts that share no node, and the part with the element "
+            "at ({:.4g}, {:.4g}, {:.4g}) m is not held along every axis: join the parts "
+            "in the mesh, clamp each, or make each a body of its own",
+            body.name, along.size(), there[0], there[1], there[2]);
     }
     refuse_to_fall(body, anywhere, gravity_m_s2, normal_of(surroundings.platform));
     if (surroundings.gradient || surroundings.sources)

@@ -97,24 +97,18 @@ Vec3 vector_of(const FormulaField& course, double time_s) {
     return value_at(course.component_t, time_s);
 }
 
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
 // The formula stands at PrecessingField: u is made perpendicular to n by projection, and
 // `across` normalises it.
 Vec3 vector_of(const PrecessingField& course, double time_s) {
-    Vec3 n = course.axis;
-    const double scale = 1 / length(n);
+    const Vec3 n = 1 / norm(course.axis) * course.axis;
     std::size_t nearest = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-        n[d] *= scale;
+    for (std::size_t d = 1; d < 3; ++d) {
         if (std::abs(n[d]) > std::abs(n[nearest])) nearest = d;
     }
     const std::size_t next = (nearest + 1) % 3;
     Vec3 u{};
     for (std::size_t d = 0; d < 3; ++d) u[d] = (d == next ? 1 : 0) - n[next] * n[d];
-    const double across = 1 / length(u);
+    const double across = 1 / norm(u);
     const double p =
         course.start_rad + 2 * std::numbers::pi * course.frequency_hz * time_s;
     double strength = course.magnitude_t;
@@ -122,13 +116,7 @@ Vec3 vector_of(const PrecessingField& course, double time_s) {
         strength *= 0.5 * (1 - std::cos(std::numbers::pi * time_s / course.ramp_s));
     const double along = strength * std::cos(course.cone_rad);
     const double around = strength * std::sin(course.cone_rad) * across;
-    Vec3 out{};
-    for (std::size_t d = 0; d < 3; ++d) {
-        const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
-        const double n_x_u = n[e] * u[f] - n[f] * u[e];
-        out[d] = along * n[d] + around * (std::cos(p) * u[d] + std::sin(p) * n_x_u);
-    }
-    return out;
+    return along * n + around * (std::cos(p) * u + std::sin(p) * cross(n, u));
 }
 
 // True for laws that polar() knows.
@@ -185,7 +173,7 @@ void check(const VectorTable& table) {
 }
 
 void check(const PrecessingField& field) {
-    if (!(length(field.axis) > 0))
+    if (!(norm(field.axis) > 0))
         refuse("an axis of length 0 found for a precessing field; any other is allowed");
 }
 
@@ -227,10 +215,8 @@ Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane) {
 
 Vec3 field_at(const FieldProgram& program, double time_s) {
     Vec3 sum = vector_of(program.course, program.plane, time_s);
-    for (const FieldTerm& term : program.plus) {
-        const Vec3 more = vector_of(term.law, program.plane, time_s);
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += more[d];
-    }
+    for (const FieldTerm& term : program.plus)
+        sum += vector_of(term.law, program.plane, time_s);
     return sum;
 }
 
@@ -239,13 +225,13 @@ FieldProgram held_at(const FieldProgram& program, double time_s) {
 }
 
 double field_magnitude_at(const FieldProgram& program, double time_s) {
-    if (!program.plus.empty()) return length(field_at(program, time_s));
+    if (!program.plus.empty()) return norm(field_at(program, time_s));
     return std::visit(
         [time_s]<class Law>(const Law& one) {
             if constexpr (in_plane<Law>)
                 return polar(one, time_s).magnitude_t;
             else
-                return length(vector_of(one, time_s));
+                return norm(vector_of(one, time_s));
         },
         program.course);
 }

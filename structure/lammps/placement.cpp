@@ -18,10 +18,9 @@ Vec3 centre_of_volume(const std::vector<Vec3>& nodes, const std::vector<double>&
     double total = 0;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         total += volume[a];
-        for (int d = 0; d < 3; ++d) sum[d] += volume[a] * nodes[a][d];
+        sum += volume[a] * nodes[a];
     }
-    for (double& component : sum) component /= total;
-    return sum;
+    return sum / total;
 }
 
 void rotate(std::vector<Vec3>& nodes, const Vec3& centre, const std::array<int, 2>& plane,
@@ -49,9 +48,7 @@ std::vector<Vec3> placed_nodes(const Body& body, const Placement& placement,
     const Vec3 centre = centre_of_volume(nodes, node_volumes(body));
     if (turn.angle_rad != 0) rotate(nodes, centre, turn.plane, turn.angle_rad);
     if (placement.position_m) {
-        for (Vec3& x : nodes) {
-            for (int d = 0; d < 3; ++d) x[d] += (*placement.position_m)[d] - centre[d];
-        }
+        for (Vec3& x : nodes) x += *placement.position_m - centre;
     }
     return nodes;
 }

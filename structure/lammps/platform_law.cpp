@@ -10,10 +10,6 @@
 namespace magfsi::structure {
 namespace {
 
-double dot(const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Stick point of a node at its first touch: x moved back along v to where the node passed
 // through the plane, by one step at most.
 StickPoint touched(const Vec3& x_m, const Vec3& v_m_s, double gap_m, double approach_m_s,
@@ -22,7 +18,7 @@ StickPoint touched(const Vec3& x_m, const Vec3& v_m_s, double gap_m, double appr
     const double way = approach_m_s * dt_s;
     if (!(way > 0)) return out;
     const double since = dt_s * std::min(1.0, -gap_m / way);
-    for (std::size_t d = 0; d < 3; ++d) out.at_m[d] -= since * v_m_s[d];
+    out.at_m -= since * v_m_s;
     return out;
 }
 
@@ -30,20 +26,18 @@ StickPoint touched(const Vec3& x_m, const Vec3& v_m_s, double gap_m, double appr
 // slides.
 void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
                   StickPoint& stick, PlatformContact& out) {
-    Vec3 slip{};
-    for (std::size_t d = 0; d < 3; ++d) slip[d] = x_m[d] - stick.at_m[d];
-    const double along_normal = dot(slip, platform.normal);
-    for (std::size_t d = 0; d < 3; ++d) slip[d] -= along_normal * platform.normal[d];
-    const double length = std::hypot(slip[0], slip[1], slip[2]);
+    Vec3 slip = x_m - stick.at_m;
+    slip -= dot(slip, platform.normal) * platform.normal;
+    const double length = norm(slip);
     if (length == 0) return;
     const double spring = platform.stiffness_pa_m * area_m2;
     const double most = platform.friction * out.normal_n / spring;
     const double kept = std::min(1.0, most / length);
     if (kept < 1) {
-        for (std::size_t d = 0; d < 3; ++d) stick.at_m[d] = x_m[d] - kept * slip[d];
+        stick.at_m = x_m - kept * slip;
         out.slid_j = spring * kept * length * (1 - kept) * length;
     }
-    for (std::size_t d = 0; d < 3; ++d) out.force_n[d] -= spring * kept * slip[d];
+    out.force_n -= spring * kept * slip;
     out.energy_j += 0.5 * spring * kept * length * kept * length;
 }
 
@@ -51,20 +45,16 @@ void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
 
 PlatformContact frictionless_contact(const Platform& platform, double area_m2,
                                      const double* x_m, const double* v_m_s) {
-    const Vec3 x{x_m[0], x_m[1], x_m[2]};
-    const Vec3 v{v_m_s[0], v_m_s[1], v_m_s[2]};
+    const Vec3 x = vector_at(x_m), v = vector_at(v_m_s);
     PlatformContact out;
-    for (std::size_t d = 0; d < 3; ++d) {
-        out.gap_m += (x[d] - platform.point_m[d]) * platform.normal[d];
-    }
+    out.gap_m += dot(x - platform.point_m, platform.normal);  // never -0
     if (!(out.gap_m < 0)) return out;
     const double spring = platform.stiffness_pa_m * area_m2;
     const double approach = -dot(v, platform.normal);
     out.normal_n =
         std::max(0.0, -spring * out.gap_m + platform.damping_pa_s_m * area_m2 * approach);
     out.energy_j = 0.5 * spring * out.gap_m * out.gap_m;
-    for (std::size_t d = 0; d < 3; ++d)
-        out.force_n[d] = out.normal_n * platform.normal[d];
+    out.force_n = out.normal_n * platform.normal;
     return out;
 }
 
@@ -76,8 +66,7 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
         stick.held = false;
         return out;
     }
-    const Vec3 x{x_m[0], x_m[1], x_m[2]};
-    const Vec3 v{v_m_s[0], v_m_s[1], v_m_s[2]};
+    const Vec3 x = vector_at(x_m), v = vector_at(v_m_s);
     if (!stick.held) stick = touched(x, v, out.gap_m, -dot(v, platform.normal), dt_s);
     add_friction(platform, area_m2, x, stick, out);
     return out;

@@ -167,4 +167,13 @@ LammpsScript write_lammps_input(const LammpsInput& input,
     return script;
 }
 
+std::string text_of(const LammpsScript& script) {
+    std::string text;
+    for (const std::string& line : script.setup) {
+        text += line.starts_with("read_data /proc/") ? "read_data bodies.data" : line;
+        text += '\n';
+    }
+    return text;
+}
+
 }  // namespace magfsi::structure

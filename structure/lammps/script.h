@@ -84,4 +84,9 @@ struct LammpsScript {
 LammpsScript write_lammps_input(const LammpsInput& input,
                                 const std::filesystem::path& folder);
 
+// The lines of the setup as the text of a file in that folder. Where only this process
+// could open bodies.data by the path in the script, it is named alone: such a script is
+// run from within the folder.
+std::string text_of(const LammpsScript& script);
+
 }  // namespace magfsi::structure

@@ -87,10 +87,8 @@ struct Moments {
 
     void add(double m, const Vec3& x) {
         mass += m;
-        for (int d = 0; d < 3; ++d) {
-            first[d] += m * x[d];
-            second[d] += m * x[d] * x[d];
-        }
+        first += m * x;
+        for (int d = 0; d < 3; ++d) second[d] += m * x[d] * x[d];
     }
     // Second moment about the centre of mass.
     double central(int d) const { return second[d] - first[d] * first[d] / mass; }

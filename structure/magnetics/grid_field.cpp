@@ -109,8 +109,8 @@ point_fields::Field<Gradient> GridValues::at(
         if (x[d].value < axis.front() - slack || x[d].value > axis.back() + slack) {
             throw std::runtime_error(fmt::format(
                 "a body has left the grid of the field: it is at {} = {:.6g} m of the "
-                "grid, which reaches from {:g} to {:g} m; take a larger grid, or hold "
-                "the body inside",
+                "grid, which reaches from {:g} to {:g} m; take a larger grid, hold the "
+                "body inside, or see that the grid's lengths are in the right unit",
                 "xyz"[d], x[d].value, axis.front(), axis.back()));
         }
         along[d] = stencil(x[d].value, axis);
@@ -124,14 +124,12 @@ point_fields::Field<Gradient> GridValues::at(
             for (std::size_t i = 0; i < sx.count; ++i) {
                 const Vec3& value = values_t_[row + sx.first + i];
                 const double weight = sx.weight[i] * sy.weight[j] * sz.weight[k];
-                const std::array<double, 3> slope{
-                    sx.slope[i] * sy.weight[j] * sz.weight[k],
-                    sx.weight[i] * sy.slope[j] * sz.weight[k],
-                    sx.weight[i] * sy.weight[j] * sz.slope[k]};
+                const Vec3 slope{sx.slope[i] * sy.weight[j] * sz.weight[k],
+                                 sx.weight[i] * sy.slope[j] * sz.weight[k],
+                                 sx.weight[i] * sy.weight[j] * sz.slope[k]};
                 for (std::size_t c = 0; c < 3; ++c) {
                     out[c].value += weight * value[c];
-                    for (std::size_t d = 0; d < 3; ++d)
-                        out[c].d[d] += slope[d] * value[c];
+                    out[c].d += slope * value[c];
                 }
             }
         }

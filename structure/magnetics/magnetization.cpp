@@ -58,9 +58,7 @@ constexpr std::array<ColumnKind, 6> table_columns{{{"x", units::length},
                                                    {"Mz", units::magnetization}}};
 
 double squared_distance(const Vec3& a, const Vec3& b) {
-    double sum = 0;
-    for (int d = 0; d < 3; ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
-    return sum;
+    return dot(a - b, a - b);
 }
 
 // Nearest of many points. They are sorted by x; the search runs outwards from the given x
@@ -127,7 +125,7 @@ std::vector<Vec3> nearest_vectors(const Mesh& mesh, const MagnetizationRows& row
 Vec3 element_centre(const Mesh& mesh, std::size_t element) {
     Vec3 centre{};
     for (int node : mesh.elements[element]) {
-        for (int d = 0; d < 3; ++d) centre[d] += 0.125 * mesh.nodes[node][d];
+        centre += 0.125 * mesh.nodes[node];
     }
     return centre;
 }
@@ -246,8 +244,7 @@ std::vector<Vec3> curve_magnetization(const Mesh& mesh,
         Vec3 m{tangent[0], tangent[1], tangent[2]};
         m[first] = a * std::cos(angle) - b * std::sin(angle);
         m[second] = a * std::sin(angle) + b * std::cos(angle);
-        for (double& part : m) part *= wanted.strength_a_m;
-        out.push_back(m);
+        out.push_back(m * wanted.strength_a_m);
     }
     return out;
 }

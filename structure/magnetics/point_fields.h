@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/vector/vec3.h"
+
 namespace magfsi::structure::point_fields {
 
 inline constexpr double mu0 = 4e-7 * std::numbers::pi;  // [T m/A], to 1e-9
@@ -14,12 +16,11 @@ inline constexpr double mu0 = 4e-7 * std::numbers::pi;  // [T m/A], to 1e-9
 // Number with its derivatives along x, y and z (forward-mode differentiation).
 struct Gradient {
     double value = 0;
-    std::array<double, 3> d{};
+    Vec3 d{};
 
     Gradient() = default;
     Gradient(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
-    Gradient(double v, const std::array<double, 3>& derivatives)
-        : value(v), d(derivatives) {}
+    Gradient(double v, const Vec3& derivatives) : value(v), d(derivatives) {}
     // The coordinate along an axis, whose derivative along it is 1.
     static Gradient along(int axis, double v) {
         Gradient out(v);
@@ -30,14 +31,12 @@ struct Gradient {
 
 // Value f(a) of a function whose derivative at a is df.
 inline Gradient chain(const Gradient& a, double f, double df) {
-    return {f, {df * a.d[0], df * a.d[1], df * a.d[2]}};
+    return {f, df * a.d};
 }
 // Value f of a function of a and b whose derivatives are da and db.
 inline Gradient chain(const Gradient& a, const Gradient& b, double f, double da,
                       double db) {
-    return {f,
-            {da * a.d[0] + db * b.d[0], da * a.d[1] + db * b.d[1],
-             da * a.d[2] + db * b.d[2]}};
+    return {f, da * a.d + db * b.d};
 }
 inline Gradient operator+(const Gradient& a, const Gradient& b) {
     return chain(a, b, a.value + b.value, 1, 1);
@@ -78,15 +77,15 @@ inline double number(double a) {
 }
 
 template <class T>
-using Point = std::array<T, 3>;
+using Point = Vector3<T>;
 template <class T>
-using Field = std::array<T, 3>;
+using Field = Vector3<T>;
 
 // --- dipole ---------------------------------------------------------------------------
 
 // Field of a point dipole, mu0 / (4 pi) [3 (m . r) r / r^5 - m / r^3].
 template <class T>
-Field<T> dipole(const Point<T>& x, const std::array<double, 3>& moment_a_m2) {
+Field<T> dipole(const Point<T>& x, const Vec3& moment_a_m2) {
     using std::sqrt;
     const T square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
     const T along =
@@ -115,7 +114,7 @@ T log_ratio(const T& v1, const T& r1, const T& v0, const T& r0) {
 //   -ln(v + R), -ln(u + R), atan(u v / (w R)), over 4 pi (Yang et al. 1990; Furlani
 // 2001).
 template <class T>
-Field<T> cuboid_along_z(const Point<T>& x, const std::array<double, 3>& half_m) {
+Field<T> cuboid_along_z(const Point<T>& x, const Vec3& half_m) {
     using std::atan2;
     using std::sqrt;
     Field<T> out{T(0), T(0), T(0)};
@@ -144,8 +143,7 @@ Field<T> cuboid_along_z(const Point<T>& x, const std::array<double, 3>& half_m) 
 
 // Field of a block with any polarisation, as the sum over its three components.
 template <class T>
-Field<T> cuboid(const Point<T>& x, const std::array<double, 3>& half_m,
-                const std::array<double, 3>& polarization_t) {
+Field<T> cuboid(const Point<T>& x, const Vec3& half_m, const Vec3& polarization_t) {
     Field<T> out{T(0), T(0), T(0)};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (polarization_t[axis] == 0) continue;
@@ -246,11 +244,9 @@ Field<T> cylinder_along(const Point<T>& x, double radius_m, double half_m) {
     // mean of both sides is taken.
     if (constexpr double off = 1e-5; std::abs(number(rho) / radius_m - 1) < off / 2) {
         const T in(1 - off), out(1 + off);
-        Field<T> a1 = cylinder_along<T>({in * x[0], in * x[1], x[2]}, radius_m, half_m);
-        const Field<T> a2 =
-            cylinder_along<T>({out * x[0], out * x[1], x[2]}, radius_m, half_m);
-        for (std::size_t i = 0; i < 3; ++i) a1[i] = (a1[i] + a2[i]) / T(2);
-        return a1;
+        return (cylinder_along<T>({in * x[0], in * x[1], x[2]}, radius_m, half_m) +
+                cylinder_along<T>({out * x[0], out * x[1], x[2]}, radius_m, half_m)) /
+               T(2);
     }
     const T gamma = (a - rho) / (a + rho);
     Field<T> out{T(0), T(0), T(0)};
@@ -271,7 +267,7 @@ Field<T> cylinder_along(const Point<T>& x, double radius_m, double half_m) {
                     a / (a + rho) * z / far * cel(kc, gamma * gamma, T(1), gamma) /
                         T(std::numbers::pi)};
         }
-        for (std::size_t i = 0; i < 3; ++i) out[i] = out[i] + T(end) * part[i];
+        out += T(end) * part;
     }
     return out;
 }
@@ -319,14 +315,12 @@ Field<T> cylinder_across(const Point<T>& x, double radius_m, double half_m, doub
 // Field of a cylinder with any polarisation in its frame [T].
 template <class T>
 Field<T> cylinder(const Point<T>& x, double radius_m, double half_m,
-                  const std::array<double, 3>& polarization_t) {
+                  const Vec3& polarization_t) {
     Field<T> out{T(0), T(0), T(0)};
     const auto& [jx, jy, jz] = polarization_t;
     if (jx != 0 || jy != 0) out = cylinder_across(x, radius_m, half_m, jx, jy);
     if (jz == 0) return out;
-    const Field<T> along = cylinder_along(x, radius_m, half_m);
-    for (std::size_t i = 0; i < 3; ++i) out[i] = out[i] + T(jz) * along[i];
-    return out;
+    return out + T(jz) * cylinder_along(x, radius_m, half_m);
 }
 
 }  // namespace magfsi::structure::point_fields

@@ -30,10 +30,6 @@ Vector3d vector(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 
-Vec3 half(const Vec3& v) {
-    return {0.5 * v[0], 0.5 * v[1], 0.5 * v[2]};
-}
-
 // Rotation that turns z onto an axis by the shortest way.
 Matrix3d frame_along(const Vec3& axis) {
     const Vector3d to = vector(axis);
@@ -64,7 +60,7 @@ struct LocalField {
         return point_fields::dipole(x, s.moment_a_m2);
     }
     auto operator()(const CuboidMagnet& s) const {
-        return point_fields::cuboid(x, half(s.size_m), s.remanence_t);
+        return point_fields::cuboid(x, 0.5 * s.size_m, s.remanence_t);
     }
     auto operator()(const CylinderMagnet& s) const {
         return point_fields::cylinder(x, s.diameter_m / 2, s.height_m / 2, s.remanence_t);

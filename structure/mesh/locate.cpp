@@ -194,7 +194,7 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
         const auto local = face_corners(quad.face);
         for (int a = 0; a < 4; ++a) {
             trial.weight[local[a]] = shape[a];
-            for (int d = 0; d < 3; ++d) foot[d] += shape[a] * x[a][d];
+            foot += shape[a] * x[a];
         }
         const double away = distance_m(foot, point_m);
         if (away > least) continue;

@@ -19,7 +19,7 @@ namespace magfsi::structure {
 using Hexahedron = std::array<int, 8>;
 
 inline double distance_m(const Vec3& a, const Vec3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    return norm(a - b);
 }
 
 // Point fixed to an element: its position is the sum of weight[a] * x[node[a]].
@@ -49,10 +49,7 @@ struct Mesh {
 // Position of a material point in the undeformed mesh.
 inline Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
     Vec3 x{};
-    for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = mesh.nodes[point.node[a]];
-        for (std::size_t d = 0; d < 3; ++d) x[d] += point.weight[a] * node[d];
-    }
+    for (std::size_t a = 0; a < 8; ++a) x += point.weight[a] * mesh.nodes[point.node[a]];
     return x;
 }
 
@@ -62,10 +59,8 @@ struct Bounds {
     Vec3 high_m{-INFINITY, -INFINITY, -INFINITY};
 
     void add(const Vec3& x) {
-        for (int d = 0; d < 3; ++d) {
-            low_m[d] = std::min(low_m[d], x[d]);
-            high_m[d] = std::max(high_m[d], x[d]);
-        }
+        low_m = lower(low_m, x);
+        high_m = higher(high_m, x);
     }
     // True for points in the box or at most margin_m outside.
     bool holds(const Vec3& x, double margin_m = 0) const {
@@ -77,7 +72,7 @@ struct Bounds {
         for (int d = 0; d < 3; ++d) {
             gap[d] = std::max({0.0, low_m[d] - x[d], x[d] - high_m[d]});
         }
-        return std::hypot(gap[0], gap[1], gap[2]);
+        return norm(gap);
     }
     // True if the boxes overlap or touch.
     bool meets(const Bounds& other) const {
@@ -86,13 +81,8 @@ struct Bounds {
         }
         return true;
     }
-    Vec3 extent_m() const {
-        return {high_m[0] - low_m[0], high_m[1] - low_m[1], high_m[2] - low_m[2]};
-    }
-    double diagonal_m() const {
-        const Vec3 extent = extent_m();
-        return std::hypot(extent[0], extent[1], extent[2]);
-    }
+    Vec3 extent_m() const { return high_m - low_m; }
+    double diagonal_m() const { return norm(extent_m()); }
 };
 
 // Bounding box of all nodes, or of the nodes `which`.

@@ -189,11 +189,11 @@ void refuse_broken_mesh(const Mesh& mesh, std::span<const std::size_t> names) {
     if (const auto pair = coincident_nodes(mesh, 1e-3 * shortest_edge_m(mesh))) {
         const Vec3& x = mesh.nodes[(*pair)[0]];
         refuse(
-            "nodes {} and {} of the mesh coincide at ({:.6g}, {:.6g}, {:.6g}) m: the "
+            "two nodes of the mesh coincide at ({:.6g}, {:.6g}, {:.6g}) m: the "
             "parts they belong to touch without being joined; join them (in Gmsh: "
             "Coherence or BooleanFragments before meshing, or Coherence Mesh after it) "
             "or leave a gap between them",
-            (*pair)[0], (*pair)[1], x[0], x[1], x[2]);
+            x[0], x[1], x[2]);
     }
 }
 

@@ -5,27 +5,15 @@
 namespace magfsi::structure {
 namespace {
 
-Vec3 minus(const Vec3& a, const Vec3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0]};
-}
-
 using Triangle = std::array<Vec3, 3>;
 
 // Point where the segment from p to q passes through the triangle. Touching its plane, up
 // to rounding, does not count.
 std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
     constexpr double rounding = 1e-9;
-    const Vec3 normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
-    const double before = dot(normal, minus(p, t[0])),
-                 after = dot(normal, minus(q, t[0]));
-    const Vec3 way = minus(q, p);
+    const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+    const double before = dot(normal, p - t[0]), after = dot(normal, q - t[0]);
+    const Vec3 way = q - p;
     const double least = rounding * std::sqrt(dot(normal, normal) * dot(way, way));
     if ((before > 0) == (after > 0) || std::abs(before) < least ||
         std::abs(after) < least)
@@ -33,12 +21,10 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
     // The segment passes through if it has all three edges on the same side.
     std::array<bool, 3> left;
     for (std::size_t i = 0; i < 3; ++i)
-        left[i] = dot(way, cross(minus(t[i], p), minus(t[(i + 1) % 3], p))) > 0;
+        left[i] = dot(way, cross(t[i] - p, t[(i + 1) % 3] - p)) > 0;
     if (left[0] != left[1] || left[1] != left[2]) return {};
     const double part = before / (before - after);
-    Vec3 at;
-    for (std::size_t d = 0; d < 3; ++d) at[d] = p[d] + part * way[d];
-    return at;
+    return p + part * way;
 }
 
 // First point where one of the quad's edges, or its diagonal, passes through the other
@@ -62,9 +48,7 @@ double corner_gap_m(const Corners4& from, const Corners4& to) {
         const auto [u, v] = nearest_on_quad(to, corner);
         const auto weight = quad_shape(u, v);
         Vec3 foot{};
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (std::size_t d = 0; d < 3; ++d) foot[d] += weight[i] * to[i][d];
-        }
+        for (std::size_t i = 0; i < 4; ++i) foot += weight[i] * to[i];
         nearest = std::min(nearest, distance_m(corner, foot));
     }
     return nearest;
@@ -83,8 +67,7 @@ ProximityFinder::Ball ProximityFinder::ball_around(const Patch& patch,
                                                    std::span<const Vec3> nodes_m) {
     const Corners4 corners = corners_of(patch.node, nodes_m);
     Ball out;
-    for (const Vec3& x : corners)
-        for (std::size_t d = 0; d < 3; ++d) out.centre_m[d] += 0.25 * x[d];
+    for (const Vec3& x : corners) out.centre_m += 0.25 * x;
     for (const Vec3& x : corners)
         out.radius_m = std::max(out.radius_m, distance_m(x, out.centre_m));
     return out;
@@ -130,8 +113,7 @@ void ProximityFinder::look_at(const Patch& a, const Patch& b, const Vec3& image_
                               Proximities& found) const {
     const Corners4 of_a = corners_of(a.node, nodes_m);
     Corners4 of_b = corners_of(b.node, nodes_m);
-    for (Vec3& corner : of_b)
-        for (std::size_t d = 0; d < 3; ++d) corner[d] += image_m[d];
+    for (Vec3& corner : of_b) corner += image_m;
     Proximity proximity{{a.body, b.body}, {a.element, b.element}, of_a[0], gap_m};
     auto at = gap_m < 0 ? piercing(of_a, of_b) : std::nullopt;
     if (gap_m < 0 && !at) at = piercing(of_b, of_a);
@@ -166,7 +148,7 @@ Proximities ProximityFinder::find(std::span<const Vec3> nodes_m) const {
     NearPairs(centres, 2 * largest + reach_m_, period_m_)
         .visit([&](std::size_t i, std::size_t j, const Vec3& image_m) {
             const double reach = radii[i] + radii[j] + reach_m_;
-            const Vec3 apart = minus(minus(centres[i], centres[j]), image_m);
+            const Vec3 apart = centres[i] - centres[j] - image_m;
             if (dot(apart, apart) >= reach * reach) return;
             const Patch &a = patches_[i], &b = patches_[j];
             const double gap = std::sqrt(dot(apart, apart)) - radii[i] - radii[j];

@@ -146,8 +146,7 @@ bool first_is_top(const Mesh& mesh, const std::vector<SurfaceQuad>& ends,
     for (std::size_t q = 0; q < ends.size(); ++q) {
         area[side[q]] += quad_area(corners(mesh.nodes, ends[q].node));
         if (side[q] == 1) continue;
-        const Vec3 its = quad_area_vector(corners(mesh.nodes, ends[q].node));
-        for (int d = 0; d < 3; ++d) vector[d] += its[d];
+        vector += quad_area_vector(corners(mesh.nodes, ends[q].node));
     }
     for (int d = 2; d >= 0; --d) {
         if (std::abs(vector[d]) > 1e-9 * area[0]) return vector[d] > 0;

@@ -239,15 +239,11 @@ std::vector<double> surface_areas(const std::vector<Vec3>& nodes_m,
     std::vector<Vec3> share(nodes_m.size(), Vec3{});
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
         const Vec3 area = quad_area_vector(corners(nodes_m, quad.node));
-        for (int node : quad.node) {
-            for (std::size_t d = 0; d < 3; ++d) {
-                share[node][d] += 0.25 * area[d];
-            }
-        }
+        for (int node : quad.node) share[node] += 0.25 * area;
     }
     std::vector<double> out;
     out.reserve(share.size());
-    for (const Vec3& v : share) out.push_back(std::hypot(v[0], v[1], v[2]));
+    for (const Vec3& v : share) out.push_back(norm(v));
     return out;
 }
 

@@ -7,7 +7,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from magfsi import testing
+from magfsi import surfaces, testing
 
 SCENE = """
 name: strict
@@ -20,6 +20,19 @@ bodies:
     clamps: [left]
 gravity: {acceleration: 1 m/s2}
 probes: {every: 1 s, bodies: [max_displacement]}
+"""
+STREAM = """
+time: {end: 1 s}
+fluid:
+  box: [8 mm, 4 mm, 4 mm]
+  spacing: 0.5 mm
+  density: 1000 kg/m3
+  viscosity: 4 mm2/s
+  expected_speed: 0.2 m/s
+  boundaries:
+    x_min: {velocity_inlet: {velocity: [0.1 m/s, 0 m/s, 0 m/s], ramp: RAMP}}
+    x_max: {pressure_outlet: {}}
+probes: {every: 100 ms, fluid: [mass]}
 """
 AT = "{tip: {body: b, at: [40 mm, 0 mm, 0 mm]}}"
 
@@ -76,8 +89,10 @@ class CheckAndRun(unittest.TestCase):
 
     def test_loose_parts(self):
         for method in ("newton", "dynamics"):
-            self.refused("body b is in 2 parts that share no node, and the part of element "
-                         "24 is not held", {"time.equilibrium.method": method}, (6, 5))
+            # The second bar begins at 7 mm.
+            self.refused("body b is in 2 parts that share no node, and the part with the "
+                         "element at (0.0075, 0.0005, 0.0005) m is not held",
+                         {"time.equilibrium.method": method}, (6, 5))
 
     def test_weight_that_nothing_holds(self):
         self.refused("body b has weight but no clamp", {"bodies.b.clamps": ""})
@@ -96,6 +111,69 @@ class CheckAndRun(unittest.TestCase):
             sag[k] = float((run / "probes.csv").read_text().split()[-1].split(",")[1])
         # lambda / G = 3e-6 changes Young's modulus by a third of that.
         self.assertAlmostEqual(sag["0 Pa"] / sag["1 Pa"], 1, delta=1e-5)
+
+
+BALL = "sphere: {centre: [6 mm, 1 mm, 2 mm], diameter: 1 mm}"
+# In the fluid of the small swimmer.
+IN_A_FLUID = {
+    "an obstacle given twice": ({"fluid.obstacles": f"{{a: {{{BALL}}}, b: {{{BALL}}}}}"}, '"b"'),
+    "an obstacle too thin for a cell": ({"fluid.obstacles": "{a: {box: [[6 mm, 1 mm, 2 mm], "
+                                         "[7 mm, 2 mm, 2.01 mm]]}}"}, '"a"'),
+    "an obstacle outside of the box": ({"fluid.obstacles": "{a: {sphere: {centre: [20 mm, 1 mm, 2 mm], "
+                                        "diameter: 1 mm}}}"}, "outside"),
+    "a shape of a body without a centre line": ({"bodies.robot.mesh": "{gmsh: {file: MESH, unit: 0.5 mm}}",
+                                                 "probes.points": "null"}, "whose centre line has 0 points"),
+    "a shape of too few elements": ({"bodies.robot.mesh.box.elements": "[2, 4, 1]"},
+                                    "whose centre line has 3 points"),
+    "a shape of cubes": ({"bodies.robot.mesh": "{voxels: {file: CUBE, unit: 1 mm, spacing: 0.25 mm}}",
+                          "probes.points": "null"}, "whose centre line has 0 points"),
+}
+
+
+class InAFluid(unittest.TestCase):
+    def test_check_refuses_in_the_words_of_run(self):
+        folder = Path(testing.new_folder())
+        surfaces.write_stl(folder / "cube.stl", surfaces.block([0, 0, 0], [1, 1, 1]))
+        for name, (settings, words) in IN_A_FLUID.items():
+            with self.subTest(name):
+                sets = [word.replace("MESH", str(testing.ROOT / "tests/unit/mesh/two_cubes.msh"))
+                        .replace("CUBE", str(folder / "cube.stl"))
+                        for word in testing.overrides(settings)]
+                said = []
+                for command in ("check", "explain", "run"):
+                    more = ["--out", folder / "run"] if command == "run" else []
+                    done = subprocess.run(list(map(str, [testing.BIN / "magfsi", command, testing.SMALL,
+                                                         *more, *sets])),
+                                          capture_output=True, text=True, timeout=120, check=False)
+                    self.assertEqual(done.returncode, 2, f"{command}: {done.stdout}{done.stderr}")
+                    said.append(done.stderr.strip().splitlines()[-1])
+                self.assertIn(words, said[0])
+                self.assertEqual(len(set(said)), 1, said)
+
+
+class Inlets(unittest.TestCase):
+    """A ramp as short as sound takes to cross the box makes the flow overshoot: explain says so,
+    and the ramp that it names is not warned of."""
+
+    def warned(self, ramp, *more):
+        folder = Path(testing.new_folder())
+        (folder / "scene.yaml").write_text(STREAM.replace("RAMP", ramp))
+        text = subprocess.run([str(testing.BIN / "magfsi"), "explain", str(folder / "scene.yaml"), *more],
+                              capture_output=True, text=True, check=True).stdout
+        line, = (x for x in text.splitlines() if "sound crosses the box in" in x)
+        return line
+
+    def test_ramps(self):
+        crossing = float(re.search(r"in ([\d.e+-]+) ms", self.warned("0 ms"))[1])
+        advice = r"overshoots, and forces with it: a ramp of ([\d.]+) ms"
+        for ramp, starts in (("0 ms", "the flow starts at once"), (f"{crossing} ms", "of the ramp")):
+            line = self.warned(ramp)
+            self.assertIn(starts, line)
+            self.assertRegex(line, advice)
+        enough = float(re.search(advice, line)[1])
+        self.assertGreater(enough, 5 * crossing)
+        self.assertNotIn("overshoots", self.warned(f"{1.01 * enough} ms"))
+        self.assertIn("overshoots", self.warned(f"{0.9 * enough} ms"))
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ class Examples(unittest.TestCase):
         out = self.folder / f"sheet_{1e6 * spacing:.0f}"
         output_of(self.prefix / "bin/magfsi", "run", self.examples / "sheet.yaml", "--structure",
              self.folder / "build/spring_sheet", "--out", out, "--set", f"fluid.spacing={spacing} m")
-        columns = runs.read_columns(out / "probes.csv")
+        columns = runs.read_table(out / "probes.csv", float)
         time_s, deflection = columns["t[s]"], columns["deflection[m]"]
         self.assertAlmostEqual(deflection[0], 2e-4, delta=1e-9)
         crossings = [t0 + (t1 - t0) * u0 / (u0 - u1) for t0, t1, u0, u1 in

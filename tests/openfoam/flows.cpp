@@ -17,7 +17,7 @@ constexpr double wave_number = 2 * std::numbers::pi / length_m;
 constexpr double viscosity = speed_m_s / wave_number / reynolds;
 constexpr double end_s = 0.5;  // half a turn
 
-std::array<double, 3> flow(const std::array<double, 3>& x) {
+Vec3 flow(const Vec3& x) {
     return {speed_m_s * std::cos(wave_number * x[0]) * std::sin(wave_number * x[2]), 0,
             -speed_m_s * std::sin(wave_number * x[0]) * std::cos(wave_number * x[2])};
 }

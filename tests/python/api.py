@@ -29,7 +29,9 @@ class Scenes(unittest.TestCase):
             scene["fluid.colour"]
 
     def test_an_empty_map_is_an_effect_with_its_defaults(self):
-        self.assertEqual(magfsi.load(STRIP, {"contact": {}}).settings["contact"], "{}")
+        scene = magfsi.load(STRIP, {"contact": {}})
+        self.assertEqual(scene.settings["contact"], "{}")
+        self.assertIn("contact", scene.values)
 
     def test_a_wrong_scene_is_one_clear_error(self):
         with self.assertRaisesRegex(magfsi.SceneError, "viscosity: found .*allowed") as raised:
@@ -59,7 +61,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(self.run_.summary["outcome"], "completed")
         self.assertEqual(self.run_.summary["ranks"]["fluid"], 2)
         self.assertEqual(self.run_.columns,
-                         runs.read_columns(self.run_.folder / "probes.csv"))
+                         runs.read_table(self.run_.folder / "probes.csv", float))
 
     def test_fields_are_those_of_the_instant(self):
         self.assertEqual(len(self.run_.times_s), 5)

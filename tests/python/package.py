@@ -31,7 +31,7 @@ class Tables(unittest.TestCase):
 
     def test_comments_and_a_row_cut_short_are_left_out(self):
         file = self.write("# from somewhere\nt[s],x[m]\n0,1\n1,2.5\n2")
-        self.assertEqual(runs.read_columns(file), {"t[s]": [0, 1], "x[m]": [1, 2.5]})
+        self.assertEqual(runs.read_table(file, float), {"t[s]": [0, 1], "x[m]": [1, 2.5]})
         self.assertEqual(runs.read_rows(file)[1], {"t[s]": "1", "x[m]": "2.5"})
 
     def test_nothing_in_the_file(self):

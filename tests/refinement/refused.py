@@ -19,7 +19,7 @@ REFUSED = [
     ({"fluid.refinement": "{levels: 1, margin: 2 mm}",
       "fluid.boundaries.x_min": "{velocity_inlet: {velocity: [0.1 m/s, 0 m/s, 0 m/s]}}",
       "fluid.boundaries.x_max": "{pressure_outlet: {}}"},
-     "keep the bodies, or fluid.refinement.box, further from it"),
+     "keep the bodies and their margin, or fluid.refinement.box, 0.001 m from it"),
     ({"fluid.refinement": "{levels: 1}", "probes.fluid": "[obstacle_force]",
       "fluid.obstacles.ball.sphere": "{centre: [5 mm, 2 mm, 2.6 mm], diameter: 1 mm}"},
      'cuts the obstacle "ball" at ('),

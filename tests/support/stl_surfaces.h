@@ -10,9 +10,11 @@
 #include <numbers>
 #include <vector>
 
+#include "base/vector/vec3.h"
+
 namespace magfsi::test {
 
-using Corner = std::array<double, 3>;
+using Corner = Vec3;
 using Triangles = std::vector<std::array<Corner, 3>>;
 
 // The surface of a cube of n x n x n cells, each square cut in two; place gives the point
@@ -54,9 +56,7 @@ inline Triangles ball_surface(const Corner& centre, double radius, int n) {
         Corner x;
         for (std::size_t d = 0; d < 3; ++d)
             x[d] = std::tan(0.25 * std::numbers::pi * (2.0 * at[d] / n - 1));
-        const double length = std::hypot(x[0], x[1], x[2]);
-        for (std::size_t d = 0; d < 3; ++d) x[d] = centre[d] + radius * x[d] / length;
-        return x;
+        return centre + radius * x / norm(x);
     });
 }
 

@@ -191,7 +191,7 @@ class Run:
     @property
     def columns(self) -> dict[str, list[float]]:
         """The probes by name, such as "robot.com_z[m]", without pandas."""
-        return runs.read_columns(self.folder / "probes.csv")
+        return runs.read_table(self.folder / "probes.csv", float)
 
     @property
     def probes(self) -> pandas.DataFrame:

@@ -124,7 +124,7 @@ def draw(folder, out):
     scene = data.read_json(folder / "scene.json", {})
     try:
         columns = {name: np.array(values) for name, values
-                   in runs.read_columns(folder / "probes.csv").items()}
+                   in runs.read_table(folder / "probes.csv", float).items()}
     except (OSError, ValueError):
         columns = {}
     if not len(columns.get("t[s]", [])):

@@ -49,7 +49,7 @@ def needed(path):
 
 def read_columns(path):
     """Columns of a CSV file by name, as arrays; lines of comment begin with #."""
-    return {name: np.array(values) for name, values in runs.read_columns(needed(path)).items()}
+    return {name: np.array(values) for name, values in runs.read_table(needed(path), float).items()}
 
 
 def column(columns, name):

@@ -23,24 +23,19 @@ EXIT_INPUT = 2
 WATCHED_EVERY_S = 0.5
 
 
-def read_table(path):
-    """Columns of a CSV file by name, as lists of words; lines of comment begin with #. A row that
-    a run was stopped in is left out."""
+def read_table(path, kind=str):
+    """Columns of a CSV file by name, as lists of words, or of numbers for the kind float; lines of
+    comment begin with #. A row that a run was stopped in is left out."""
     with open(path, newline="") as file:
         names, *rows = [*csv.reader(line for line in file if not line.startswith("#"))] or [[]]
     rows = [row for row in rows if len(row) == len(names)]
-    return {name: [row[i] for row in rows] for i, name in enumerate(names)}
+    return {name: [kind(row[i]) for row in rows] for i, name in enumerate(names)}
 
 
 def read_rows(path):
     """Rows of a CSV file, each {column: word}."""
     table = read_table(path)
     return [dict(zip(table, row)) for row in zip(*table.values())]
-
-
-def read_columns(path):
-    """Columns such as "com_x[m]" as lists of numbers."""
-    return {name: [float(word) for word in words] for name, words in read_table(path).items()}
 
 
 def read_summary(folder):
@@ -70,7 +65,7 @@ class Run:
         return read_summary(self.folder)
 
     def probes(self):
-        return read_columns(self.folder / "probes.csv")
+        return read_table(self.folder / "probes.csv", float)
 
 
 def setting(text):

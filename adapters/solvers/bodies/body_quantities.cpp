@@ -11,15 +11,10 @@ Vec3 position(const structure::MaterialPoint& point, const std::vector<Vec3>& no
               std::size_t first_node) {
     Vec3 at{};
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = nodes_m[first_node + static_cast<std::size_t>(point.node[a])];
-        for (std::size_t d = 0; d < 3; ++d) at[d] += point.weight[a] * node[d];
+        const std::size_t node = point.node[a];
+        at += point.weight[a] * nodes_m[first_node + node];
     }
     return at;
-}
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0]};
 }
 
 Vec3 mass_weighted_mean(const BodySample& body, const std::vector<Vec3>& field) {
@@ -27,10 +22,9 @@ Vec3 mass_weighted_mean(const BodySample& body, const std::vector<Vec3>& field) 
     Vec3 sum{};
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
         mass += body.nodes.mass_kg[i];
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += body.nodes.mass_kg[i] * field[i][d];
+        sum += body.nodes.mass_kg[i] * field[i];
     }
-    for (double& s : sum) s /= mass;
-    return sum;
+    return sum / mass;
 }
 
 namespace {
@@ -39,18 +33,16 @@ double kinetic_energy_j(const BodySample& body) {
     double energy = 0;
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
         const Vec3& v = body.nodes.velocity_m_s[i];
-        energy += 0.5 * body.nodes.mass_kg[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        energy += 0.5 * body.nodes.mass_kg[i] * dot(v, v);
     }
     return energy;
 }
 
 // Torque of the fluid about the centre of mass, from the one about the origin of space.
 Vec3 fluid_torque_n_m(const BodySample& body) {
-    const Vec3 moment =
-        cross(mass_weighted_mean(body, body.nodes.position_m), body.loads.fluid_force_n);
-    Vec3 torque = body.loads.fluid_torque_n_m;
-    for (std::size_t d = 0; d < 3; ++d) torque[d] -= moment[d];
-    return torque;
+    return body.loads.fluid_torque_n_m -
+           cross(mass_weighted_mean(body, body.nodes.position_m),
+                 body.loads.fluid_force_n);
 }
 
 // Largest distance of a node from its place at step 0, rigid motion included.

@@ -45,9 +45,6 @@ const BodyProbe& body_probe(scene::BodyQuantity quantity);
 Vec3 position(const structure::MaterialPoint& point, const std::vector<Vec3>& nodes_m,
               std::size_t first_node);
 
-// Vector product a x b.
-Vec3 cross(const Vec3& a, const Vec3& b);
-
 // Mean of a nodal field over the nodes of one body, weighted with their masses. field:
 // one vector for each node of all bodies, in the order of body.nodes.
 Vec3 mass_weighted_mean(const BodySample& body, const std::vector<Vec3>& field);

@@ -7,8 +7,6 @@
 
 namespace magfsi::bodies {
 
-using structure::Vec3;
-
 FieldForces::FieldForces(const structure::Body& body, const scene::MagneticField& field)
     : field_(field),
       charge_a_m_(structure::nodal_charges(body.mesh.nodes, body.mesh.elements,

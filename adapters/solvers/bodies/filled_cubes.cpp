@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
+#include "base/words/likely_unit.h"
 #include "fluid_lbm/obstacle/solid.h"
 #include "structure/mesh/voxel_mesh.h"
 
@@ -27,19 +29,21 @@ std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
                                 const structure::VoxelMesh& voxels) {
     constexpr double rounding = 1e-5;  // a file has its lengths to seven digits
     std::array<int, 3> cubes{};
+    structure::Vec3 size_m;
+    for (std::size_t d = 0; d < 3; ++d) size_m[d] = bounds_m.high[d] - bounds_m.low[d];
     double all = 1;
     for (std::size_t d = 0; d < 3; ++d) {
-        const double extent =
-            (bounds_m.high[d] - bounds_m.low[d]) / voxels.spacing_m - rounding;
+        const double extent = size_m[d] / voxels.spacing_m - rounding;
         const double whole = std::max(1.0, std::ceil(extent));
         all *= whole;
         if (!(all <= most_cubes))
             throw std::invalid_argument(fmt::format(
                 "{}, {:.4g} x {:.4g} x {:.4g} m large, lies in more than {:g} cubes of "
-                "{:g} m; take a larger spacing, or see that the unit is the file's",
-                voxels.file, bounds_m.high[0] - bounds_m.low[0],
-                bounds_m.high[1] - bounds_m.low[1], bounds_m.high[2] - bounds_m.low[2],
-                most_cubes, voxels.spacing_m));
+                "{:g} m; take a larger spacing, or {}",
+                voxels.file, size_m[0], size_m[1], size_m[2], most_cubes,
+                voxels.spacing_m,
+                words::likely_unit(std::ranges::max(size_m), voxels.unit_m,
+                                   2 * voxels.spacing_m, 500 * voxels.spacing_m)));
         cubes[d] = whole;
     }
     return cubes;
@@ -94,32 +98,47 @@ void mark(const fluid::Solid& solid, Cubes& cubes) {
     }
 }
 
-// Sample points along each edge of a cube for the fraction that lies inside.
+// Sample points along each edge of a cube for the fraction that lies inside. They are by
+// an odd bit nearer to the middle than even ones, whose places are round fractions of the
+// cube: a face through them would be inside at one end of a body, outside at the other.
 constexpr int points_of_edge = 4;
+constexpr double points_apart = (1 - 1.3e-5) / points_of_edge;
+
+// Number of points of a cube that lie inside, `count` of them along each edge.
+int points_inside(const fluid::Solid& solid, const Place& p, int count, double apart) {
+    const auto at = [&](int i, int low) {
+        return low + 0.5 + (i - 0.5 * (count - 1)) * apart;
+    };
+    int inside = 0;
+    for (int n = 0; n < count * count * count; ++n)
+        inside += solid.holds({at(n % count, p[0]), at(n / count % count, p[1]),
+                               at(n / count / count, p[2])});
+    return inside;
+}
 
 // Determines `held` of each cube. Only cubes that the surface may cut are sampled: those
-// with a neighbour of the other kind, and filled ones at the edge of the grid.
+// with a neighbour of the other kind, and filled ones at the edge of the grid. A cube
+// with the surface through its centre is filled from a half on, on both sides of a body
+// alike.
 void measure(const fluid::Solid& solid, Cubes& cubes) {
     cubes.held.assign(cubes.filled.begin(), cubes.filled.end());
+    std::vector<std::size_t> on_surface;
     cubes.each([&](const Place& p) {
-        const char mine = cubes.filled[cubes.number(p)];
+        const std::size_t number = cubes.number(p);
+        const char mine = cubes.filled[number];
         bool cut = std::ranges::any_of(std::array{0, 1, 2}, [&](int d) {
             return mine != 0 && (p[d] == 0 || p[d] + 1 == cubes.count[d]);
         });
         cubes.around(p, false,
                      [&](std::size_t q) { cut = cut || cubes.filled[q] != mine; });
         if (!cut) return;
-        int inside = 0;
-        for (int n = 0; n < points_of_edge * points_of_edge * points_of_edge; ++n) {
-            const auto at = [](int i, int low) {
-                return low + (i + 0.5) / points_of_edge;
-            };
-            inside += solid.holds({at(n % points_of_edge, p[0]),
-                                   at(n / points_of_edge % points_of_edge, p[1]),
-                                   at(n / points_of_edge / points_of_edge, p[2])});
-        }
-        cubes.held[cubes.number(p)] = inside / std::pow(points_of_edge, 3);
+        cubes.held[number] = points_inside(solid, p, points_of_edge, points_apart) /
+                             std::pow(points_of_edge, 3);
+        const int at_centre = points_inside(solid, p, 2, 2e-5);
+        if (at_centre != 0 && at_centre != 8) on_surface.push_back(number);
     });
+    for (const std::size_t number : on_surface)
+        cubes.filled[number] = cubes.held[number] >= 0.5;
 }
 
 // Weight of each cube: its own fraction inside plus equal shares of the fractions of
@@ -153,35 +172,41 @@ std::vector<double> weights(const Cubes& cubes, double volume) {
     return out;
 }
 
-// Weights are rounded to multiples of 1/16 of a cube, so that there are few materials:
-// the elements of one material are computed together.
+// Weights are taken together that round to the same multiple of 1/16 of a cube, so that
+// there are few materials: the elements of one material are computed together.
 constexpr int parts_of_cube = 16;
 
-// Makes a region of the mesh for each weight, named after it; none if all cubes are
-// whole. The rounding error of a cut cube is carried over to the next one, so that the
-// sum of the weights is kept.
+// Makes a region of the mesh for the weights that round alike, named after their mean;
+// none if all cubes are whole. So the sum of the weights is kept, and cubes that are
+// alike remain so. A cube has at least one part.
 void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
                   const Cubes& cubes, double spacing_m) {
-    double left = 0;
-    std::vector<int> part;
+    constexpr double rounding = 1e-9;
+    constexpr int whole = 0;
+    struct Kind {
+        double sum = 0;
+        int count = 0, number = 0;
+    };
+    std::map<int, Kind> kinds;
+    std::vector<int> of;
     for (const structure::Hexahedron& element : mesh.elements) {
         const structure::Vec3& corner = mesh.nodes[element[0]];
         Place p{};
         for (std::size_t d = 0; d < 3; ++d) p[d] = std::lround(corner[d] / spacing_m);
-        const double exact = parts_of_cube * weight[cubes.number(p)];
-        const double wanted = exact == parts_of_cube ? exact : exact + left;
-        part.push_back(std::max<int>(1, std::lround(wanted)));
-        left = exact == parts_of_cube ? left : wanted - part.back();
+        const double exact = weight[cubes.number(p)];
+        const double held = std::max(1.0 / parts_of_cube, exact);
+        of.push_back(
+            exact == 1 ? whole
+                       : static_cast<int>(std::lround(parts_of_cube * held + rounding)));
+        kinds[of.back()].sum += held;
+        ++kinds[of.back()].count;
     }
-    std::vector<int> kinds = part;
-    std::ranges::sort(kinds);
-    const auto twice = std::ranges::unique(kinds);
-    kinds.erase(twice.begin(), twice.end());
-    if (kinds == std::vector{parts_of_cube}) return;
-    for (const int kind : kinds)
-        mesh.region_names.push_back(fmt::format("{}/{}", kind, parts_of_cube));
-    for (const int p : part)
-        mesh.region.push_back(std::ranges::lower_bound(kinds, p) - kinds.begin());
+    if (kinds.size() == 1 && kinds.contains(whole)) return;
+    for (auto& [parts, kind] : kinds) {
+        kind.number = static_cast<int>(mesh.region_names.size());
+        mesh.region_names.push_back(fmt::format("{:.9g}", kind.sum / kind.count));
+    }
+    for (const int kind : of) mesh.region.push_back(kinds[kind].number);
 }
 
 }  // namespace
@@ -198,9 +223,9 @@ structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
         surface, voxels.spacing_m,
         {{}, {1.0 * cubes.count[0], 1.0 * cubes.count[1], 1.0 * cubes.count[2]}});
     mark(*solid, cubes);
+    measure(*solid, cubes);
     structure::Mesh mesh =
         structure::voxel_mesh(cubes.count, voxels.spacing_m, cubes.filled);
-    measure(*solid, cubes);
     name_regions(mesh, weights(cubes, extent.volume_m3 / std::pow(voxels.spacing_m, 3)),
                  cubes, voxels.spacing_m);
     for (structure::Vec3& x : mesh.nodes)
@@ -209,7 +234,7 @@ structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
 }
 
 double weight_of_region(const structure::Mesh& mesh, int region) {
-    return std::stod(mesh.region_names[region]) / parts_of_cube;
+    return std::stod(mesh.region_names[region]);
 }
 
 void weigh(structure::Body& body) {

@@ -13,7 +13,7 @@ namespace magfsi::bodies {
 
 // Mesh of the cubes whose centres lie inside the surface of the STL file, in the frame of
 // the file [m]. Each region of the mesh has the cubes of one weight and is named after
-// it, "5/16"; a mesh of whole cubes has no regions. Throws std::invalid_argument if the
+// it, "0.3125"; a mesh of whole cubes has no regions. Throws std::invalid_argument if the
 // file cannot be used (make_stl_solid) or takes more than two million cubes.
 structure::Mesh filled_mesh(const structure::VoxelMesh& voxels);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/body.h"
 #include "structure/lattice/lattice.h"
 
@@ -45,32 +44,26 @@ double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body) {
     return std::min(scene.fluid->density_kg_m3, largest_part_off_nodes * lightest);
 }
 
-std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene) {
-    std::vector<structure::Body> all;
-    for (const scene::Body& body : scene.bodies) {
-        structure::Body& solid = all.emplace_back(to_body(body));
-        const double off = off_nodes_kg_m3(scene, solid);
-        for (structure::Material& other : solid.other_materials)
-            other.density_kg_m3 -= off * part_of(body, other);
-        solid.material.density_kg_m3 -= off;
+Solids bodies_in_fluid(const scene::Scene& scene, Solids solids) {
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        const double off = off_nodes_kg_m3(scene, solids[b]);
+        for (structure::Material& other : solids[b].other_materials)
+            other.density_kg_m3 -= off * part_of(scene.bodies[b], other);
+        solids[b].material.density_kg_m3 -= off;
     }
+    return solids;
+}
+
+std::vector<double> whole_masses_kg(const Solids& solids) {
+    std::vector<double> all;
+    for (const structure::Body& solid : solids) add_masses(all, solid);
     return all;
 }
 
-std::vector<double> whole_masses_kg(const scene::Scene& scene) {
-    std::vector<double> all;
-    for (const scene::Body& body : scene.bodies) add_masses(all, to_body(body));
-    return all;
-}
-
-std::vector<double> inside_masses_kg(const scene::Scene& scene) {
-    std::vector<double> all;
-    for (const scene::Body& body : scene.bodies) {
-        structure::Body solid = to_body(body);
-        fill_with(solid, body, scene.fluid->density_kg_m3);
-        add_masses(all, solid);
-    }
-    return all;
+std::vector<double> inside_masses_kg(const scene::Scene& scene, Solids solids) {
+    for (std::size_t b = 0; b < solids.size(); ++b)
+        fill_with(solids[b], scene.bodies[b], scene.fluid->density_kg_m3);
+    return whole_masses_kg(solids);
 }
 
 }  // namespace magfsi::bodies

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/body.h"
 
 namespace magfsi::bodies {
@@ -30,15 +31,15 @@ inline bool has_drag(const scene::Scene& scene) {
 // body: as bodies::to_body returns it, of the scene.
 double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body);
 
-// The scene's bodies, in its order, with densities less off_nodes_kg_m3: inertia and
+// The scene's bodies by to_bodies with densities less off_nodes_kg_m3: inertia and
 // weight of their nodes are those that the structure solver integrates.
-std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene);
+Solids bodies_in_fluid(const scene::Scene& scene, Solids solids);
 
 // Mass of each node of the bodies themselves [kg], nothing subtracted, body after body.
-std::vector<double> whole_masses_kg(const scene::Scene& scene);
+std::vector<double> whole_masses_kg(const Solids& solids);
 
 // Mass of the fluid that fills the place of the bodies, shared among their nodes [kg],
 // body after body. The scene must have a fluid.
-std::vector<double> inside_masses_kg(const scene::Scene& scene);
+std::vector<double> inside_masses_kg(const scene::Scene& scene, Solids solids);
 
 }  // namespace magfsi::bodies

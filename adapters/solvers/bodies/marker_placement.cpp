@@ -62,12 +62,12 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
 
 }  // namespace
 
-std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t number) {
+std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t number,
+                                        const structure::Mesh& mesh) {
     const scene::Body& body = scene.bodies[number];
     const bool no_slip =
         scene.coupling->immersed_boundary.forcing == coupler::Forcing::no_slip;
-    const structure::Continues continues = spans_fluid(*scene.fluid, body, no_slip);
-    const structure::Mesh mesh = to_mesh(body);
+    const structure::Continues continues = spans_fluid(*scene.fluid, body, mesh, no_slip);
     const double grid_m = scene.fluid->finest_spacing_m();
     const auto sheet = structure::find_sheet(mesh, continues);
     const DryFaces dry(body, mesh, continues);
@@ -81,9 +81,8 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
 }
 
 structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body,
-                                 bool between_walls) {
+                                 const structure::Mesh& mesh, bool between_walls) {
     structure::Continues spans{};
-    const structure::Mesh mesh = to_mesh(body);
     for (int d = 0; d < 3; ++d)
         spans[d] = scene::spans_fluid(fluid, body, d, extent(mesh, d), between_walls);
     return spans;

@@ -30,8 +30,8 @@ struct PlacedMarker {
 };
 
 // Markers of a body, with their volumes and surfaces. body: its number in a scene with a
-// fluid and coupling. A sheet consists of columns of equally many elements between two
-// large faces (structure/mesh/sheet.h).
+// fluid and coupling; mesh: the body's. A sheet consists of columns of equally many
+// elements between two large faces (structure/mesh/sheet.h).
 //
 // In forcing no_slip markers are rows about a grid spacing apart (no_slip_markers.cpp).
 // The penalty has them at most half a spacing apart and at least one an element: below
@@ -45,7 +45,8 @@ struct PlacedMarker {
 // leakage is that of both faces without the rim; in other bodies the markers nearest to
 // the surface stand for all of it. Markers keep no distance from clamped faces, which
 // stand on something, and from the ends of a body along axes on which it continues.
-std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body);
+std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body,
+                                        const structure::Mesh& mesh);
 
 // A sheet that is represented by one layer of markers, in forcing no_slip
 // (coupler/immersed_boundary/layer_inertia.h).
@@ -54,13 +55,14 @@ struct CarriedLayer {
     // Thickness of the fluid that moves with the layer along its surface.
     double carried_m = 0;
 };
-// The layer of a body; empty in other forcings, and for bodies of several layers. body:
-// as for place_markers.
-std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t body);
+// The layer of a body; empty in other forcings, and for bodies of several layers. body,
+// mesh: as for place_markers.
+std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t body,
+                                          const structure::Mesh& mesh);
 
 // Axes along which a body spans the box of the fluid from one periodic side to the other;
 // with between_walls also those along which it spans it from wall to wall.
 structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body,
-                                 bool between_walls);
+                                 const structure::Mesh& mesh, bool between_walls);
 
 }  // namespace magfsi::bodies

@@ -13,8 +13,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-using structure::Vec3;
-
 // Markers sorted into cubic bins, for searches of the nearest ones.
 class Bins {
   public:

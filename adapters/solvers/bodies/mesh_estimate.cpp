@@ -19,8 +19,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-using structure::Vec3;
-
 // Largest number of elements of a mesh that is solved, which takes about half a second.
 // Meshes are refined twice where this allows it: where few elements meet a clamp, a
 // single refinement shows too little of the error.
@@ -94,6 +92,25 @@ struct Right {
     std::function<Vec3(const Vec3& point_m)> at_m;  // at any point of the body
 };
 
+// Magnetization of one row for each element of the body's own mesh.
+bool has_table(const scene::Body& body) {
+    return body.magnetization &&
+           std::holds_alternative<structure::TableMagnetization>(*body.magnetization);
+}
+
+// The body on a mesh of `refined`, whose elements have the rows of their parents.
+structure::Body refined_body(const scene::Body& body, const structure::Body& solid,
+                             const structure::Mesh& mesh) {
+    if (!has_table(body)) return to_body(body, mesh);
+    scene::Body plain = body;
+    plain.magnetization.reset();
+    structure::Body out = to_body(plain, mesh);
+    const std::size_t children = mesh.elements.size() / solid.mesh.elements.size();
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        out.magnetization_a_m.push_back(solid.magnetization_a_m[e / children]);
+    return out;
+}
+
 constexpr auto finer = "finer elements";
 
 // Linear response with elements assumed_strain.
@@ -108,7 +125,7 @@ Right on_refined(const scene::Body& body, const structure::Body& solid,
                  const structure::StaticLoads& loads) {
     structure::Mesh mesh = structure::refined(solid.mesh);
     if (8 * mesh.elements.size() <= most_elements) mesh = structure::refined(mesh);
-    const auto fine_m = response_of(to_body(body, mesh), loads);
+    const auto fine_m = response_of(refined_body(body, solid, mesh), loads);
     const std::ptrdiff_t nodes = solid.mesh.nodes.size();
     return {finer,
             {fine_m.begin(), fine_m.begin() + nodes},
@@ -147,24 +164,27 @@ Right on_the_same_mesh(const structure::Body& solid,
             }};
 }
 
-bool is_block(const scene::Body& body) {
-    return std::holds_alternative<structure::Box>(body.mesh);
+// A table has no rows for the coarser block.
+bool has_coarser(const scene::Body& body) {
+    return std::holds_alternative<structure::Box>(body.mesh) && !has_table(body);
 }
 
 // The reason why a mesh of so many elements gets no estimate; empty if it gets one.
 std::string why_not(const scene::Body& body, std::size_t elements) {
     const bool by_element = body.element != structure::ElementVariant::assumed_strain;
-    const std::size_t most = is_block(body) || by_element ? most_elements : most_refined;
+    const std::size_t most =
+        has_coarser(body) || by_element ? most_elements : most_refined;
     if (elements <= most) return "";
     return fmt::format(
         "more than {} elements{}: compare with a run on elements half or twice as large",
-        most, is_block(body) ? "" : " that are no block");
+        most,
+        has_coarser(body) ? "" : " that are no block, or have a table of magnetization");
 }
 
 Right right_response(const scene::Body& body, const structure::Body& solid,
                      const structure::StaticLoads& loads) {
     if (solid.mesh.elements.size() <= most_refined) return on_refined(body, solid, loads);
-    if (is_block(body)) return extrapolated(body, solid, loads);
+    if (has_coarser(body)) return extrapolated(body, solid, loads);
     return on_the_same_mesh(solid, loads);
 }
 

@@ -9,7 +9,6 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/bodies/marker_surface.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "base/fitted/constants.h"
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/body_points.h"
@@ -19,8 +18,6 @@
 namespace magfsi::bodies {
 
 namespace {
-
-using structure::Vec3;
 
 // Depth below the rim at which the area of a single layer's markers ends [m]; negative,
 // outside of the rim, for thick sheets.
@@ -322,14 +319,14 @@ std::optional<CarriedLayer> one_layer(const structure::Mesh& mesh,
 
 }  // namespace
 
-std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t number) {
+std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t number,
+                                          const structure::Mesh& mesh) {
     if (scene.coupling->immersed_boundary.forcing != coupler::Forcing::no_slip)
         return std::nullopt;
     const scene::Body& body = scene.bodies[number];
-    const structure::Mesh mesh = to_mesh(body);
-    return one_layer(mesh,
-                     structure::find_sheet(mesh, spans_fluid(*scene.fluid, body, true)),
-                     reach_in(scene));
+    return one_layer(
+        mesh, structure::find_sheet(mesh, spans_fluid(*scene.fluid, body, mesh, true)),
+        reach_in(scene));
 }
 
 std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,

@@ -5,9 +5,11 @@
 #include <array>
 #include <vector>
 
+#include "base/vector/vec3.h"
+
 namespace magfsi::bodies {
 
-using Vec3 = std::array<double, 3>;
+using magfsi::Vec3;
 
 // One entry for each node, in the order of the bodies in the scene and of the nodes in
 // each body's mesh. Empty on ranks other than the root where ranks have gathered it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The columns of probes.csv that belong to the applied field and the bodies, and their
-// values.
+// The columns of probes.csv that belong to the uniform part of the applied field and to
+// the bodies, and their values.
 #pragma once
 
 #include <functional>

@@ -18,7 +18,6 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -120,34 +119,12 @@ structure::Mesh convert(const std::string& file, double unit_m) {
                         : message);
 }
 
-// The mesh that make() returns; kept in the process under its key and made only once. A
-// failure is not kept.
-template <class Key, class Make>
-structure::Mesh made_once(const Key& key, const Make& make) {
-    static std::map<Key, structure::Mesh> done;
-    const auto [place, first] = done.try_emplace(key);
-    if (first) {
-        try {
-            place->second = make();
-        } catch (...) {
-            done.erase(place);
-            throw;
-        }
-    }
-    return place->second;
-}
-
-structure::Mesh converted_gmsh_mesh(const structure::MeshFile& gmsh) {
-    return made_once(std::pair(gmsh.file, gmsh.unit_m),
-                     [&] { return convert(gmsh.file, gmsh.unit_m); });
-}
-
 structure::Vec3 in_mm(const structure::Vec3& x_m) {
     return {1e3 * x_m[0], 1e3 * x_m[1], 1e3 * x_m[2]};
 }
 
 // Names the faces of a mesh of cubes: the nodes in the box of each face, with a margin of
-// 0.001 of a cube. The cached mesh has no faces, so that bodies may share it.
+// 0.001 of a cube.
 structure::Mesh with_faces(structure::Mesh mesh, const structure::VoxelMesh& voxels) {
     for (const structure::FaceBox& face : voxels.faces) {
         // A place may be typed to fewer digits than it has.
@@ -176,15 +153,13 @@ structure::Mesh to_mesh(const scene::Body& body) {
         if (const auto* plate = std::get_if<structure::ObliquePlate>(&body.mesh))
             return structure::oblique_mesh(*plate);
         if (const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh))
-            return with_faces(
-                made_once(std::tuple(voxels->file, voxels->unit_m, voxels->spacing_m),
-                          [&] { return filled_mesh(*voxels); }),
-                *voxels);
+            return with_faces(filled_mesh(*voxels), *voxels);
         if (const auto* arc = std::get_if<structure::Arc>(&body.mesh))
             return structure::arc_mesh(*arc);
         if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
             return structure::helix_mesh(*helix);
-        return converted_gmsh_mesh(std::get<structure::MeshFile>(body.mesh));
+        const auto& gmsh = std::get<structure::MeshFile>(body.mesh);
+        return convert(gmsh.file, gmsh.unit_m);
     } catch (const std::invalid_argument& fault) {
         throw scene::SceneError(fmt::format("{}{}body '{}': {}", body.mesh_place,
                                             body.mesh_place.empty() ? "" : ": ",
@@ -305,6 +280,17 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
     }
     if (cubes) weigh(out);
     return out;
+}
+
+Solids to_bodies(const scene::Scene& scene) {
+    Solids all;
+    for (const scene::Body& body : scene.bodies) {
+        const auto same = std::ranges::find(scene.bodies, body.mesh, &scene::Body::mesh);
+        const std::size_t first = same - scene.bodies.begin();
+        all.push_back(
+            to_body(body, first < all.size() ? all[first].mesh : to_mesh(body)));
+    }
+    return all;
 }
 
 std::optional<structure::Vec3> to_gravity(const scene::Scene& scene) {

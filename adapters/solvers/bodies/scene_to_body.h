@@ -3,16 +3,17 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "adapters/scene/scene.h"
 #include "structure/body.h"
 
 namespace magfsi::bodies {
 
-// The mesh of a body in its own frame [m]. Meshes from files are made once in a process
-// and kept: those of Gmsh by the program magfsi-mesh in a process of its own, those of
-// STL surfaces by filled_mesh. Throws scene::SceneError, which names the body and the
-// place in the scene, on a mesh or a mesh file that cannot be used.
+// The mesh of a body in its own frame [m]. Gmsh's files are read by the program
+// magfsi-mesh in a process of its own, STL surfaces by filled_mesh. Throws
+// scene::SceneError, which names the body and the place in the scene, on a mesh or a mesh
+// file that cannot be used.
 structure::Mesh to_mesh(const scene::Body& body);
 
 // Length of the undeformed mesh along an axis (0 x, 1 y, 2 z) [m].
@@ -33,6 +34,11 @@ structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& 
 structure::Body to_body(const scene::Body& body);
 // The same body on another mesh of the same shape, with the same regions and faces.
 structure::Body to_body(const scene::Body& body, structure::Mesh mesh);
+
+// The bodies of a scene by to_body, in its order. A process makes them once and hands
+// them on. Bodies with equal keys `mesh` share the work of making it.
+using Solids = std::vector<structure::Body>;
+Solids to_bodies(const scene::Scene& scene);
 
 // Acceleration of gravity [m/s2]; empty without gravity in the scene.
 std::optional<structure::Vec3> to_gravity(const scene::Scene& scene);

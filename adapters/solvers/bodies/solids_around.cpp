@@ -16,8 +16,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-using structure::Vec3;
-
 // Position of a material point whose nodes are numbered over all bodies [m].
 Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes_m) {
     Vec3 x{};
@@ -66,7 +64,7 @@ SolidsAround::SolidsAround(const scene::Scene& scene,
                    first_node);
         first_node += static_cast<int>(solids[b].mesh.nodes.size());
     }
-    add_sides(*scene.fluid, scene.bodies, start_m);
+    add_sides(scene, solids, start_m);
     add_obstacles(*scene.fluid, start_m);
 }
 
@@ -94,9 +92,10 @@ void SolidsAround::add_points(const structure::Body& body, const std::set<int>& 
 
 // A body may pass a side if it spans the box to it or starts beyond it; it stands on the
 // side if a clamped node starts within deep_m_ of it.
-void SolidsAround::add_sides(const scene::Fluid& fluid,
-                             std::span<const scene::Body> bodies,
+void SolidsAround::add_sides(const scene::Scene& scene,
+                             std::span<const structure::Body> solids,
                              std::span<const Vec3> start_m) {
+    const scene::Fluid& fluid = *scene.fluid;
     for (std::size_t side = 0; side < fluid.boundaries.size(); ++side) {
         if (fluid.boundaries[side].kind == scene::BoundaryKind::periodic) continue;
         const std::size_t axis = side / 2;
@@ -107,9 +106,10 @@ void SolidsAround::add_sides(const scene::Fluid& fluid,
                   fmt::format("the side {} of the fluid's box",
                               scene::names<scene::Face>[side]),
                   {}};
-        std::vector<bool> passes, stands(bodies.size());
-        for (const scene::Body& body : bodies)
-            passes.push_back(spans_fluid(fluid, body, true)[axis]);
+        std::vector<bool> passes, stands(solids.size());
+        for (std::size_t b = 0; b < solids.size(); ++b)
+            passes.push_back(
+                spans_fluid(fluid, scene.bodies[b], solids[b].mesh, true)[axis]);
         const auto height_m = [&](const Point& point) {
             return made.inwards * (place_of(point.at, start_m)[axis] - made.place_m);
         };
@@ -143,7 +143,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
             {}};
         std::vector<bool> holds_body(points_.empty() ? 0 : points_.back().body + 1);
         const auto holds = [&](const Vec3& x) {
-            return made.solid->holds(fluid::in_cells(x, spacing_m_));
+            return made.solid->holds(x / spacing_m_);
         };
         for (const Point& point : points_) {
             const Vec3 x = place_of(point.at, start_m);
@@ -166,7 +166,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
 bool SolidsAround::comes_within(const Obstacle& obstacle, const Vec3& x,
                                 double distance_m) const {
     const auto outside = [&](const Vec3& at) {
-        return !obstacle.solid->holds(fluid::in_cells(at, spacing_m_));
+        return !obstacle.solid->holds(at / spacing_m_);
     };
     return !is_deep(outside, x, distance_m);
 }
@@ -200,7 +200,7 @@ SolidProximities SolidsAround::find(std::span<const Vec3> nodes_m, double reach_
         for (const Obstacle& obstacle : obstacles_) {
             if (!obstacle.free[p] || !comes_within(obstacle, x, reach_m)) continue;
             const auto holds = [&](const Vec3& at) {
-                return obstacle.solid->holds(fluid::in_cells(at, spacing_m_));
+                return obstacle.solid->holds(at / spacing_m_);
             };
             const double gap = is_deep(holds, x, deep_m_)           ? -INFINITY
                                : comes_within(obstacle, x, near_m_) ? 0.5 * near_m_

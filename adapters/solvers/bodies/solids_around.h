@@ -79,7 +79,7 @@ class SolidsAround {
 
     void add_points(const structure::Body& body, const std::set<int>& clamped,
                     std::size_t number, int first_node);
-    void add_sides(const scene::Fluid& fluid, std::span<const scene::Body> bodies,
+    void add_sides(const scene::Scene& scene, std::span<const structure::Body> solids,
                    std::span<const structure::Vec3> start_m);
     void add_obstacles(const scene::Fluid& fluid,
                        std::span<const structure::Vec3> start_m);

@@ -208,9 +208,8 @@ class Participant {
 Participant::Participant(const scene::Scene& scene, coupler::Session& session,
                          output::ProgressMode progress)
     : scene_(scene), session_(session) {
-    std::vector<structure::Body> solids;
+    const auto solids = bodies::to_bodies(scene);
     bodies::NodalState start;
-    for (const scene::Body& body : scene.bodies) solids.push_back(bodies::to_body(body));
     const auto surroundings = bodies::to_surroundings(scene, solids);
     for (std::size_t b = 0; b < solids.size(); ++b) {
         or_diverged([&] {

@@ -127,7 +127,7 @@ void add_forces(Columns& columns, const scene::Fluid& fluid) {
     }
 }
 
-// Volume flow, momentum flux and mean pressure through a plane. The columns keep a
+// Flow, momentum flux and mean pressure through a plane. The columns keep a
 // reference to the plane.
 void add_plane(Columns& columns, const std::string& name,
                const scene::FluidPlane& plane) {

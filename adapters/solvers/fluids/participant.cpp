@@ -38,7 +38,7 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
       fluid_(fluid),
       run_{scene, session, fluid, nullptr} {
     if (session.world().coupled()) {
-        coupling_ = std::make_unique<coupler::FluidCoupling>(session, fluid_);
+        coupling_ = coupler::make_fluid_coupling(session, fluid_);
         run_.balance = coupling_->balance();
     }
     if (session.restart()) restore(coupler::open_restart(session_));

@@ -9,7 +9,6 @@
 #include "adapters/solvers/bodies/fluid_inside.h"
 #include "adapters/solvers/bodies/marker_placement.h"
 #include "adapters/solvers/bodies/probe_row.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::lammps {
 
@@ -18,10 +17,10 @@ namespace {
 using Placed = std::vector<bodies::PlacedMarker>;
 
 // The markers of all bodies, the same on every rank.
-Placed place_all(const scene::Scene& scene) {
+Placed place_all(const scene::Scene& scene, const bodies::Solids& solids) {
     Placed all;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const auto markers = bodies::place_markers(scene, b);
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        const auto markers = bodies::place_markers(scene, b, solids[b].mesh);
         all.insert(all.end(), markers.begin(), markers.end());
     }
     return all;
@@ -54,12 +53,13 @@ coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
 // Subtracts from the displaced volume of each marker the part whose fluid the nodes'
 // masses already lack: the marker's force of the enclosed fluid is that of the rest. Sets
 // how fast that force follows the fluid in the serial scheme, by the ratio of densities.
-void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
+void share_fluid_inside(const scene::Scene& scene, const bodies::Solids& solids,
+                        coupler::BodyMarkers& mine) {
     mine.measures_force = bodies::needs(scene, bodies::Load::fluid_force) ||
                           (scene.probes && !scene.probes->integrals.empty());
     std::vector<double> off_kg_m3;
-    for (const scene::Body& body : scene.bodies)
-        off_kg_m3.push_back(bodies::off_nodes_kg_m3(scene, bodies::to_body(body)));
+    for (const structure::Body& solid : solids)
+        off_kg_m3.push_back(bodies::off_nodes_kg_m3(scene, solid));
     for (coupler::Marker& m : mine.markers) {
         const double off = off_kg_m3[m.body];
         if (mine.measures_force) mine.off_nodes_kg.push_back(off * m.displaced_m3);
@@ -73,15 +73,15 @@ void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
 }
 
 // Lists for each body part of probes.integrals the markers of this rank in it.
-void find_parts(const scene::Scene& scene, const Placed& placed,
-                coupler::BodyMarkers& mine) {
+void find_parts(const scene::Scene& scene, const bodies::Solids& solids,
+                const Placed& placed, coupler::BodyMarkers& mine) {
     if (!scene.probes) return;
     for (const scene::IntegralProbe& integral : scene.probes->integrals) {
         const auto* part = std::get_if<scene::BodyPart>(&integral.over);
         if (!part) continue;
         const auto body = std::ranges::find(scene.bodies, part->body, &scene::Body::name);
         const int b = body - scene.bodies.begin();
-        const auto in = bodies::elements_of(*part, bodies::to_mesh(*body));
+        const auto in = bodies::elements_of(*part, solids[b].mesh);
         auto& markers = mine.parts.emplace_back();
         for (std::size_t m = 0; m < mine.placed_index.size(); ++m) {
             const auto& p = placed[mine.placed_index[m]];
@@ -93,12 +93,12 @@ void find_parts(const scene::Scene& scene, const Placed& placed,
 }  // namespace
 
 // All ranks place all markers, so that placed_index means the same on each of them.
-coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine,
-                                 const std::vector<int>& first_node,
+coupler::BodyMarkers own_markers(const scene::Scene& scene, const bodies::Solids& solids,
+                                 const Engine& engine, const std::vector<int>& first_node,
                                  const coupler::Grid& grid, const coupler::Clock& clock) {
     const coupler::SolidCells solid(grid);
     const auto kernel = scene.coupling->immersed_boundary.kernel;
-    const Placed placed = place_all(scene);
+    const Placed placed = place_all(scene, solids);
     coupler::BodyMarkers mine;
     mine.placed = placed.size();
     mine.bodies = scene.bodies.size();
@@ -126,8 +126,8 @@ coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine
     mine.steps_between_slip_samples =
         scene.probes ? clock.every(scene.probes->every_s)
                      : std::max<std::int64_t>(1, clock.steps() / 100);
-    share_fluid_inside(scene, mine);
-    find_parts(scene, placed, mine);
+    share_fluid_inside(scene, solids, mine);
+    find_parts(scene, solids, placed, mine);
     return mine;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/lammps/engine.h"
 #include "coupler/scheme/structure_coupling.h"
 
@@ -16,8 +17,8 @@ namespace magfsi::lammps {
 // on every rank after engine.set_up(), with the bodies in their initial positions, before
 // a restart moves them. first_node: atom ID of node 0 of each body. Throws
 // std::logic_error if a node of a marker is not on this rank.
-coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine,
-                                 const std::vector<int>& first_node,
+coupler::BodyMarkers own_markers(const scene::Scene& scene, const bodies::Solids& solids,
+                                 const Engine& engine, const std::vector<int>& first_node,
                                  const coupler::Grid& grid, const coupler::Clock& clock);
 
 }  // namespace magfsi::lammps

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "adapters/solvers/bodies/fluid_inside.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "coupler/participants/errors.h"
 #include "structure/body.h"
 
@@ -75,13 +74,12 @@ void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) 
     input.quiet = true;
 }
 
-RestFinder::RestFinder(Engine& engine, const scene::Scene& scene, double step_s)
+RestFinder::RestFinder(Engine& engine, const scene::Scene& scene,
+                       const bodies::Solids& solids, double step_s)
     : engine_(engine), scene_(scene) {
-    std::vector<structure::Body> bodies;
-    for (const scene::Body& body : scene.bodies) bodies.push_back(bodies::to_body(body));
     max_steps_ = static_cast<std::int64_t>(
-        patience / (0.5 * critical_drag_rate_1_s(bodies)) / step_s);
-    stiffness_load_n_ = stiffness_load_n(bodies);
+        patience / (0.5 * critical_drag_rate_1_s(solids)) / step_s);
+    stiffness_load_n_ = stiffness_load_n(solids);
 }
 
 // Largest nodal force over the load that it is compared with. Fix quiet has as entries 1

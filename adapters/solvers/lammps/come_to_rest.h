@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/lammps/engine.h"
 #include "structure/lammps/script.h"
 
@@ -30,9 +31,10 @@ double stiffness_load_n(const std::vector<structure::Body>& bodies);
 // tolerance times the largest nodal load.
 class RestFinder {
   public:
-    // Keeps references to both. The engine's input must be that of prepare_for_rest;
-    // step_s: its time step.
-    RestFinder(Engine& engine, const scene::Scene& scene, double step_s);
+    // Keeps references to engine and scene. The engine's input must be that of
+    // prepare_for_rest; step_s: its time step.
+    RestFinder(Engine& engine, const scene::Scene& scene, const bodies::Solids& solids,
+               double step_s);
 
     // Finds the equilibrium under the loads at this time on the path, from the present
     // positions. Throws coupler::Diverged, with the ratio of force and load that was

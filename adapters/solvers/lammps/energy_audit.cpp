@@ -12,7 +12,6 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/bodies/fluid_inside.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "adapters/solvers/lammps/structure_run.h"
 #include "base/fitted/constants.h"
 #include "structure/lammps/names.h"
@@ -100,7 +99,8 @@ EnergyTerms collect_terms(const StructureRun& run) {
     return terms;
 }
 
-EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
+EnergyAudit::EnergyAudit(const scene::Scene& scene, const bodies::Solids& solids,
+                         NodalState start)
     : scene_(scene),
       start_(std::move(start)),
       whole_kg_(start_.mass_kg),
@@ -108,8 +108,8 @@ EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
       gravity_m_s2_(bodies::to_gravity(scene).value_or(bodies::Vec3{})) {
     if (scene.fluid) {
         driven_ = is_driven(*scene.fluid);
-        whole_kg_ = bodies::whole_masses_kg(scene);
-        inside_kg_ = bodies::inside_masses_kg(scene);
+        whole_kg_ = bodies::whole_masses_kg(solids);
+        inside_kg_ = bodies::inside_masses_kg(scene, solids);
     }
     min_j_ = min_energy(scene, whole_kg_);
 }
@@ -120,16 +120,13 @@ EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
     Motion m;
     for (std::size_t i = 0; i < state.mass_kg.size(); ++i) {
         const Vec3& v = state.velocity_m_s[i];
-        const double half_square = 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const double half_square = 0.5 * dot(v, v);
         const double once = whole_kg_[i] - inside_kg_[i];
         m.kinetic_whole += whole_kg_[i] * half_square;
         m.kinetic += once * half_square;
         m.kinetic_nodes += state.mass_kg[i] * half_square;
-        double fallen = 0;
-        for (std::size_t d = 0; d < 3; ++d) {
-            fallen +=
-                gravity_m_s2_[d] * (state.position_m[i][d] - start_.position_m[i][d]);
-        }
+        const double fallen =
+            dot(gravity_m_s2_, state.position_m[i] - start_.position_m[i]);
         m.work_weight += once * fallen;
         m.work_weight_nodes += state.mass_kg[i] * fallen;
     }

@@ -10,12 +10,12 @@
 
 #include "adapters/scene/scene.h"
 #include "adapters/solvers/bodies/nodal_state.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "coupler/output/summary.h"
 
 namespace magfsi::lammps {
 
 using bodies::NodalState;
-using bodies::Vec3;
 
 // Energy of the fluid in the whole box [J]: the last two of the fluid's columns.
 struct FluidEnergy {
@@ -54,7 +54,8 @@ class EnergyAudit {
     // start: the nodes at step 0, with the masses that LAMMPS integrates, which lack
     // those of the enclosed fluid. Needed on the root only, as are the states of the
     // rows. Keeps a reference to the scene.
-    EnergyAudit(const scene::Scene& scene, NodalState start);
+    EnergyAudit(const scene::Scene& scene, const bodies::Solids& solids,
+                NodalState start);
 
     // Names of the columns. Effects that the scene does not have get none.
     std::vector<std::string> columns() const;

@@ -31,7 +31,6 @@ class KeepsPairs;
 namespace magfsi::lammps {
 
 using bodies::NodalState;
-using bodies::Vec3;
 
 // NaN check: true if all values are finite. NaN and infinity have all exponent bits set,
 // and only for them does adding one to the exponent carry into the (masked) sign bit.

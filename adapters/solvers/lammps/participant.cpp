@@ -73,11 +73,7 @@ void write_script(const coupler::Session& session, const structure::LammpsScript
     if (session.world().coupled()) {
         text += "# The coupled run adds the fluid's force: fix fluid all magfsi/fluid\n";
     }
-    for (const std::string& line : script.setup) {
-        // LAMMPS cannot read this path: the script is run from within the folder.
-        text += line.starts_with("read_data /proc/") ? "read_data bodies.data" : line;
-        text += '\n';
-    }
+    text += text_of(script);
     text += fmt::format("run {}\n", steps);
     output::write_atomically(session.out() / "lammps.in", text);
 }
@@ -103,14 +99,16 @@ structure::LammpsScript generate_input(const coupler::Session& session,
 // The structure's side of a run, from the script to the summary.
 class Participant {
   public:
-    Participant(const scene::Scene& scene, coupler::Session& session,
-                const Substeps& substeps, const coupler::ParticipantArguments& arguments);
+    // Begins the session. solids: the scene's bodies, which are not kept.
+    Participant(const scene::Scene& scene, const bodies::Solids& solids,
+                coupler::Session& session,
+                const coupler::ParticipantArguments& arguments);
     void run();
 
   private:
     void take_substeps_of_restart();
-    void start_lammps();
-    void build_coupling(const std::vector<int>& first_node);
+    void start_lammps(const bodies::Solids& solids);
+    void build_coupling(const bodies::Solids& solids, const std::vector<int>& first_node);
     void assemble();
     void assemble_output(output::ProgressMode progress);
     template <class Use>
@@ -133,16 +131,17 @@ class Participant {
     std::unique_ptr<output::Progress> progress_;  // on the leading rank
 };
 
-Participant::Participant(const scene::Scene& scene, coupler::Session& session,
-                         const Substeps& substeps,
+Participant::Participant(const scene::Scene& scene, const bodies::Solids& solids,
+                         coupler::Session& session,
                          const coupler::ParticipantArguments& arguments)
     : scene_(scene),
       session_(session),
-      at_start_(substeps),
-      run_{.scene = scene, .session = session, .substeps = substeps} {
-    run_.counted.fewest = substeps.count;
+      run_{.scene = scene, .session = session, .input = to_lammps_input(scene, solids)} {
+    run_.substeps = at_start_ = choose_substeps(scene, run_.input);
+    session.begin(at_start_.coupled_step_s);
+    run_.counted.fewest = at_start_.count;
     if (session_.restart()) take_substeps_of_restart();
-    start_lammps();
+    start_lammps(solids);
     if (session_.restart()) restore_bodies(run_, coupler::open_restart(session_));
     assemble();
     assemble_output(arguments.progress);
@@ -161,8 +160,8 @@ void Participant::take_substeps_of_restart() {
                     static_cast<int>(kept[2]), static_cast<std::int64_t>(kept[1])};
 }
 
-void Participant::start_lammps() {
-    run_.input = to_lammps_input(scene_, run_.substeps.lammps_step_s);
+void Participant::start_lammps(const bodies::Solids& solids) {
+    run_.input.time_step_s = run_.substeps.lammps_step_s;
     if (scene_.time.equilibrium) prepare_for_rest(run_.input, scene_);
     const int count = run_.substeps.count;
     const auto script =
@@ -181,27 +180,31 @@ void Participant::start_lammps() {
     run_.fix_ids = script.fix_id;
     run_.atoms = script.first_node.back() - 1;
     if (scene_.fluid && session_.world().root())
-        run_.whole_mass_kg = bodies::whole_masses_kg(scene_);
+        run_.whole_mass_kg = bodies::whole_masses_kg(solids);
     run_.start = run_.gather();
     if (!scene_.time.equilibrium)
         guard_ = std::make_unique<StepGuard>(run_.input.bodies, at_start_, comm);
     else
-        rest_ = std::make_unique<RestFinder>(engine, scene_, run_.substeps.lammps_step_s);
+        rest_ = std::make_unique<RestFinder>(engine, scene_, solids,
+                                             run_.substeps.lammps_step_s);
     if (rest_) start_field_work();
-    if (session_.world().coupled()) build_coupling(script.first_node);
+    if (session_.world().coupled()) build_coupling(solids, script.first_node);
     if (scene_.probes && scene_.probes->energy_audit) {
-        run_.audit = std::make_unique<EnergyAudit>(scene_, engine.gather(run_.atoms));
+        run_.audit =
+            std::make_unique<EnergyAudit>(scene_, solids, engine.gather(run_.atoms));
         attach_audit(run_);
     }
 }
 
 // Receives the description of the grid from the fluid and places the markers in it.
-void Participant::build_coupling(const std::vector<int>& first_node) {
+void Participant::build_coupling(const bodies::Solids& solids,
+                                 const std::vector<int>& first_node) {
     const coupler::Grid grid = coupler::grid_from_text(coupler::swap_text(
         session_.world(), "", coupler::no_timeout_s, "description of the grid"));
-    auto markers = own_markers(scene_, *run_.engine, first_node, grid, session_.clock());
-    run_.coupling = std::make_unique<coupler::StructureCoupling>(
-        session_, *run_.engine, grid, std::move(markers));
+    auto markers =
+        own_markers(scene_, solids, *run_.engine, first_node, grid, session_.clock());
+    run_.coupling = coupler::make_structure_coupling(session_, *run_.engine, grid,
+                                                     std::move(markers));
 }
 
 // The tasks of a step: those of the coupling, or without a fluid one advance of the
@@ -389,8 +392,8 @@ int main(int argc, char** argv) {
                              throw std::invalid_argument(
                                  "the scene asks for Newton's method; start "
                                  "magfsi-equilibrium for it");
-                         const lammps::Substeps substeps = lammps::choose_substeps(scene);
-                         session.begin(substeps.coupled_step_s);
-                         lammps::Participant(scene, session, substeps, arguments).run();
+                         lammps::Participant participant(scene, bodies::to_bodies(scene),
+                                                         session, arguments);
+                         participant.run();
                      });
 }

@@ -4,16 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "adapters/solvers/bodies/fluid_inside.h"
 #include "adapters/solvers/bodies/marker_placement.h"
 #include "adapters/solvers/bodies/probe_row.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/lattice/stable_step.h"
 
 namespace magfsi::lammps {
@@ -33,14 +30,8 @@ structure::SolidShape surface_of(const scene::Cylinder& rod) {
     if (rod.length_m) half_m = 0.5 * *rod.length_m;
     return structure::Rod{rod.centre_m, 0.5 * rod.diameter_m, rod.axis, half_m};
 }
-// The file is read only once in a process.
 structure::SolidShape surface_of(const scene::StlSurface& stl) {
-    using Key = std::tuple<std::string, double, scene::Vec3>;
-    static std::map<Key, structure::Surface> known;
-    const Key key{stl.file, stl.unit_m, stl.shift_m};
-    const auto found = known.find(key);
-    if (found != known.end()) return found->second;
-    return known[key] = structure::read_surface(stl.file, stl.unit_m, stl.shift_m);
+    return structure::read_surface(stl.file, stl.unit_m, stl.shift_m);
 }
 
 structure::SolidShape surface_of(const scene::Obstacle& obstacle) {
@@ -102,7 +93,8 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene,
         wall.plane.normal[axis] = side % 2 == 0 ? 1 : -1;
         if (side % 2 == 1) wall.plane.point_m[axis] = scene.fluid->box_m[axis];
         for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-            if (!bodies::spans_fluid(*scene.fluid, scene.bodies[b], true)[axis])
+            if (!bodies::spans_fluid(*scene.fluid, scene.bodies[b], bodies[b].mesh,
+                                     true)[axis])
                 wall.bodies.push_back(b);
         if (!wall.bodies.empty()) walls.push_back(std::move(wall));
     }
@@ -114,9 +106,10 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene,
 
 // The law of the uniform field is left out where the scene has only a gradient or
 // sources: its course means nothing there.
-structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
+structure::LammpsInput to_lammps_input(const scene::Scene& scene,
+                                       const bodies::Solids& solids) {
     structure::LammpsInput input;
-    input.bodies = bodies::bodies_in_fluid(scene);
+    input.bodies = bodies::bodies_in_fluid(scene, solids);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         input.placements.push_back(scene.bodies[b].initial);
         for (structure::PrescribedMotion motion : scene.bodies[b].prescribed_motion) {
@@ -137,14 +130,11 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     if (scene.fluid) input.period_m = scene.fluid->period_m();
     input.walls = walls_of(scene, input.bodies);
     input.reactions = bodies::needs(scene, bodies::Load::support);
-    input.time_step_s = time_step_s;
     structure::check_effects(input);
     return input;
 }
 
-// The time step of the input does not matter here.
-double stable_step_s(const scene::Scene& scene) {
-    const structure::LammpsInput input = to_lammps_input(scene, 1);
+double stable_step_s(const structure::LammpsInput& input) {
     double smallest = 0;
     for (const structure::Body& body : input.bodies) {
         // Springs of platform and contact on its surface count with its own stiffness and

@@ -24,7 +24,7 @@ namespace magfsi::lammps {
 struct StructureRun {
     const scene::Scene& scene;
     coupler::Session& session;
-    Substeps substeps;  // the steps of the last coupled step
+    Substeps substeps{};  // the steps of the last coupled step
     StepCount counted{};
     structure::LammpsInput input{};
     std::vector<std::string> fix_ids{};  // ID of the fix magttice of each body
@@ -59,8 +59,8 @@ struct StructureRun {
         return coupling ? coupling->balance() : nullptr;
     }
     // All nodes on the root, with whole masses; empty on other ranks. Collective.
-    NodalState gather() const {
-        NodalState nodes = engine->gather(atoms);
+    NodalState gather() const { return with_whole_masses(engine->gather(atoms)); }
+    NodalState with_whole_masses(NodalState nodes) const {
         if (!whole_mass_kg.empty()) nodes.mass_kg = whole_mass_kg;
         return nodes;
     }

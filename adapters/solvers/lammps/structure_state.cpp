@@ -20,7 +20,7 @@ using coupler::StateReader;
 using coupler::StateWriter;
 
 // Name of the table of an array of the markers.
-std::string table_of(const coupler::StructureCoupling::MarkerArray& array) {
+std::string table_of(const coupler::MarkerArray& array) {
     return "marker_" + array.name;
 }
 

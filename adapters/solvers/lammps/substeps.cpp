@@ -32,7 +32,9 @@ constexpr int max_refinement = 16;
 
 // Largest drag rate of a node that can move [1/s]: the sum of N_a kappa over its markers,
 // divided by its mass, N_a the shape function of the node and kappa that of eq. (13).
-double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
+// solids: with the densities that LAMMPS integrates (bodies_in_fluid).
+double largest_drag_rate(const scene::Scene& scene, const bodies::Solids& solids,
+                         double coupled_step_s) {
     double largest = 0;
     const auto& boundary = scene.coupling->immersed_boundary;
     const coupler::PenaltyScale scale{boundary.strength, scene.fluid->density_kg_m3,
@@ -41,11 +43,10 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     const double share = boundary.forcing == coupler::Forcing::no_slip
                              ? fitted::no_slip_strength / fitted::least_row_sum
                              : 1;
-    const auto solids = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < solids.size(); ++b) {
         const auto mass = structure::build_lattice(solids[b]).node_mass_kg;
         std::vector<double> drag(mass.size());
-        for (const auto& m : bodies::place_markers(scene, b)) {
+        for (const auto& m : bodies::place_markers(scene, b, solids[b].mesh)) {
             const double kappa = share * scale.drag_coefficient_kg_s(m.volume_m3);
             for (std::size_t a = 0; a < 8; ++a) {
                 drag[m.point.node[a]] += m.point.weight[a] * kappa;
@@ -66,10 +67,11 @@ double even_step_s(const scene::Scene& scene, double limit_s) {
     return interval_s / std::max(1.0, std::ceil(interval_s / limit_s - 1e-9));
 }
 
-// The substeps of a scene, computed from the lattices and markers of all bodies.
-Substeps chosen_substeps(const scene::Scene& scene) {
+}  // namespace
+
+Substeps choose_substeps(const scene::Scene& scene, const structure::LammpsInput& input) {
     Substeps s;
-    s.elastic_limit_s = stable_step_s(scene);
+    s.elastic_limit_s = stable_step_s(input);
     if (scene.time.equilibrium) {
         s.count = 0;
         s.coupled_step_s = scene::path_step_s(scene);
@@ -86,7 +88,7 @@ Substeps chosen_substeps(const scene::Scene& scene) {
                   scene, even_step_s(scene, fitted::elastic_margin * s.elastic_limit_s));
     double limit = fitted::elastic_margin * s.elastic_limit_s;
     if (scene.fluid && scene.coupling) {
-        s.drag_limit_s = 2 / largest_drag_rate(scene, s.coupled_step_s);
+        s.drag_limit_s = 2 / largest_drag_rate(scene, input.bodies, s.coupled_step_s);
         limit = std::min(limit, fitted::drag_margin * s.drag_limit_s);
     }
     s.count = std::max<int>(1, std::ceil(s.coupled_step_s / limit - 1e-9));
@@ -108,17 +110,12 @@ Substeps chosen_substeps(const scene::Scene& scene) {
     return s;
 }
 
-}  // namespace
-
-// The result is kept under the scene's hash: it is expensive, and the command explain
-// asks for it repeatedly.
-Substeps choose_substeps(const scene::Scene& scene) {
-    if (scene.hash == 0) return chosen_substeps(scene);  // not read from a file
+Substeps choose_substeps(const scene::Scene& scene, const bodies::Solids& solids) {
     static std::map<std::pair<std::uint64_t, int>, Substeps> known;
     const std::pair key(scene.hash, scene.time.halvings);
     const auto found = known.find(key);
     if (found != known.end()) return found->second;
-    return known[key] = chosen_substeps(scene);
+    return known[key] = choose_substeps(scene, to_lammps_input(scene, solids));
 }
 
 std::string advice_if_unstable(const scene::Scene& scene) {

@@ -10,7 +10,9 @@
 
 #include "adapters/scene/scene.h"
 #include "adapters/solvers/bodies/nodal_state.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/body.h"
+#include "structure/lammps/script.h"
 #include "structure/lattice/stable_step.h"
 
 namespace magfsi::lammps {
@@ -53,7 +55,11 @@ struct StepCount {
 // time.step) a coupled step is one LAMMPS step. For equilibria it is a point of the path
 // with as many LAMMPS steps as it takes to come to rest, and count is 0. Throws
 // std::invalid_argument if coupling.substeps asks for fewer than are stable, naming both.
-Substeps choose_substeps(const scene::Scene& scene);
+// input: to_lammps_input of the scene.
+Substeps choose_substeps(const scene::Scene& scene, const structure::LammpsInput& input);
+// The same from the bodies, kept under the scene's hash: it is expensive, and the command
+// explain asks for it repeatedly.
+Substeps choose_substeps(const scene::Scene& scene, const bodies::Solids& solids);
 
 // "take more coupling.substeps, ...": what helps bodies that become unstable, in the keys
 // that this scene may have. Equilibria have no step of their own.

@@ -38,15 +38,15 @@ struct Markers {
 
 // The markers at the start of the run. A body that starts bent (initial.relaxed) is taken
 // in its flat shape, which needs no equilibrium to be computed.
-Markers markers_of(const scene::Scene& scene) {
+Markers markers_of(const scene::Scene& scene, const bodies::Solids& solids) {
     Markers all;
-    for (std::size_t b = 0; scene.coupling && b < scene.bodies.size(); ++b) {
-        const scene::Body& body = scene.bodies[b];
-        structure::Body placed = bodies::to_body(body);
-        structure::Placement placement = body.initial;
+    for (std::size_t b = 0; scene.coupling && b < solids.size(); ++b) {
+        structure::Body placed = solids[b];
+        structure::Placement placement = scene.bodies[b].initial;
         placement.relaxed.reset();
         placed.mesh.nodes = structure::placed_nodes(placed, placement, {0, 2});
-        for (const bodies::PlacedMarker& marker : bodies::place_markers(scene, b)) {
+        for (const bodies::PlacedMarker& marker :
+             bodies::place_markers(scene, b, solids[b].mesh)) {
             const structure::Vec3 at = structure::position(placed.mesh, marker.point);
             // A marker on the border of several elements is listed once for each of them;
             // its parts are joined.
@@ -178,9 +178,8 @@ double populations_bytes(const fluid::FluidConfig& config, int ranks) {
 // Memory from the sizes that the solver will allocate; markers_m: positions of the
 // markers at the start. The rows that bodies touch depend on their motion: the estimate
 // is for a slightly bent sheet.
-FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
+FluidMemory fluid_memory(const scene::Scene& scene, const LevelConfigs& levels, int ranks,
                          std::span<const fluid::Vec3> markers_m) {
-    const auto levels = level_configs(scene);
     const auto& config = levels.front().front();
     const auto& n = config.cells;
     const double cells = 1.0 * n[0] * n[1] * n[2];
@@ -234,8 +233,7 @@ std::string conditioning(const scene::Scene& scene, const fluid::FluidConfig& co
                                   markers.at_m, markers.volume_m3));
 }
 
-std::string memory(const scene::Scene& scene, int ranks, const Markers& markers) {
-    const FluidMemory m = fluid_memory(scene, ranks, markers.at_m);
+std::string memory(const FluidMemory& m) {
     std::string text =
         fmt::format("  memory: {:.1f} MB of populations", m.populations / 1e6);
     for (const auto& [what, bytes] : m.held)
@@ -247,8 +245,7 @@ std::string memory(const scene::Scene& scene, int ranks, const Markers& markers)
 
 // The finer levels: their patches, spacings, steps and relaxation times, and the number
 // of cell updates saved against a uniform grid of the finest spacing.
-std::string refinement(const scene::Scene& scene) {
-    const auto levels = level_configs(scene);
+std::string refinement(const LevelConfigs& levels) {
     std::string text;
     for (std::size_t l = 1; l < levels.size(); ++l) {
         const fluid::FluidConfig& c = levels[l].front();
@@ -289,7 +286,7 @@ std::string inlets(const fluid::FluidConfig& config) {
 
 }  // namespace
 
-std::string explain(const scene::Scene& scene, int ranks) {
+std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int ranks) {
     const scene::Fluid& fluid = *scene.fluid;
     const auto config = to_config(scene, *scene::coupled_step_s(scene));
     fluid::check(config);
@@ -302,10 +299,11 @@ std::string explain(const scene::Scene& scene, int ranks) {
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
     text += inlets(config);
-    if (fluid.refinement) text += refinement(scene);
-    const Markers markers = markers_of(scene);
-    return text + memory(scene, ranks, markers) + conditioning(scene, config, markers) +
-           warnings(scene, v);
+    const auto levels = level_configs(scene, solids);
+    if (fluid.refinement) text += refinement(levels);
+    const Markers markers = markers_of(scene, solids);
+    return text + memory(fluid_memory(scene, levels, ranks, markers.at_m)) +
+           conditioning(scene, config, markers) + warnings(scene, v);
 }
 
 }  // namespace magfsi::lbm

@@ -5,12 +5,13 @@
 #include <string>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::lbm {
 
 // A text for the terminal: SI and lattice values side by side, the chosen collision and
 // the reason, warnings with the values to use instead, and the memory needed on `ranks`
 // ranks. Throws std::invalid_argument on what the solver refuses.
-std::string explain(const scene::Scene& scene, int ranks);
+std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int ranks);
 
 }  // namespace magfsi::lbm

@@ -44,8 +44,11 @@ int main(int argc, char** argv) {
                 fluid::keep_memory_of_populations();
                 const double step_s = session.clock().step_s();
                 const scene::Following rule = scene::following(*scene.fluid);
-                fluid::RefinedFluid lattice(comm, lbm::to_refined_config(scene, step_s),
-                                            lbm::refined_parts_m(scene));
+                fluid::RefinedFluid lattice(
+                    comm, lbm::to_refined_config(scene, step_s),
+                    lbm::refined_parts_m(scene, scene.fluid->refinement->box_m
+                                                    ? bodies::Solids{}
+                                                    : bodies::to_bodies(scene)));
                 lbm::RefinedLbm fluid(comm, lattice, {rule.every, 0, rule.moves_cells});
                 fluids::Participant(scene, session, fluid, arguments.progress).run();
                 return;

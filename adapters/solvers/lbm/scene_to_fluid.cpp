@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "adapters/scene/effective.h"
-#include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/lammps/placement.h"
 
 namespace magfsi::lbm {
@@ -77,34 +76,31 @@ fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled
     return config;
 }
 
-std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene) {
+std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene,
+                                            const bodies::Solids& solids) {
     if (scene.fluid->refinement->box_m) return {*scene.fluid->refinement->box_m};
     constexpr double most = std::numeric_limits<double>::max();
     std::vector<fluid::BodyBox> parts;
-    for (const scene::Body& body : scene.bodies) {
+    for (std::size_t b = 0; b < solids.size(); ++b) {
         fluid::BodyBox& part = parts.emplace_back(fluid::BodyBox{
             fluid::Vec3{most, most, most}, fluid::Vec3{-most, -most, -most}});
-        structure::Placement placement = body.initial;
+        structure::Placement placement = scene.bodies[b].initial;
         placement.relaxed.reset();
-        for (const auto& node :
-             structure::placed_nodes(bodies::to_body(body), placement, {0, 2})) {
-            for (std::size_t d = 0; d < 3; ++d) {
-                part[0][d] = std::min(part[0][d], node[d]);
-                part[1][d] = std::max(part[1][d], node[d]);
-            }
+        for (const auto& node : structure::placed_nodes(solids[b], placement, {0, 2})) {
+            part = {lower(part[0], node), higher(part[1], node)};
         }
     }
     return parts;
 }
 
-LevelConfigs level_configs(const scene::Scene& scene) {
+LevelConfigs level_configs(const scene::Scene& scene, const bodies::Solids& solids) {
     const double step_s = *scene::coupled_step_s(scene);
     LevelConfigs levels{{to_config(scene, step_s)}};
     if (!scene.fluid->refinement) return levels;
     const fluid::RefinedConfig config = to_refined_config(scene, step_s);
     levels.resize(1 + config.rule.levels);
-    const auto nests =
-        fluid::place_nests(config.coarse, config.rule, refined_parts_m(scene), nullptr);
+    const auto nests = fluid::place_nests(config.coarse, config.rule,
+                                          refined_parts_m(scene, solids), nullptr);
     for (const fluid::NestPlaces& nest : *nests) {
         for (std::size_t i = 0; i < nest.size(); ++i) {
             auto& level = levels[i + 1];

@@ -5,12 +5,14 @@
 #include <string>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::openfoam {
 
 // Text with cells, time step, Courant number, grid Reynolds number, memory and warnings.
-// `ranks` is not used. Throws std::invalid_argument on what the solver refuses.
-std::string explain(const scene::Scene& scene, int ranks);
+// `solids` and `ranks` are not used. Throws std::invalid_argument on what the solver
+// refuses.
+std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int ranks);
 
 // Returns why this build cannot run OpenFOAM and what to do, or "". Only looks for files
 // and loads nothing.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "adapters/solvers/openfoam/engine/engine.h"
+#include "base/vector/vec3.h"
 #include "coupler/checkpoint/state_file.h"
 
 namespace magfsi::openfoam {
@@ -26,9 +27,9 @@ double volume(const Widths& width_m, std::size_t cell);
 // Sums and extremes over all cells of all ranks.
 struct FlowSums {
     double volume_m3 = 0;
-    std::array<double, 3> flow_m4_s{};  // integral of u
-    double half_square_m5_s2 = 0;       // integral of u^2 / 2
-    double enstrophy_1_s2 = 0;          // mean of |curl u|^2 / 2
+    Vec3 flow_m4_s{};              // integral of u
+    double half_square_m5_s2 = 0;  // integral of u^2 / 2
+    double enstrophy_1_s2 = 0;     // mean of |curl u|^2 / 2
     double max_speed_m_s = 0;
 };
 

@@ -207,8 +207,7 @@ fluids::FluidTotals FoamFluid::totals() {
     const FlowSums sums = flow_sums(comm_, width_m_, engine_->velocity(), {});
     fluids::FluidTotals all{fluid_.density_kg_m3 * sums.half_square_m5_s2,
                             fluid_.density_kg_m3 * sums.volume_m3, sums.max_speed_m_s};
-    for (std::size_t d = 0; d < 3; ++d)
-        all.momentum_kg_m_s[d] = fluid_.density_kg_m3 * sums.flow_m4_s[d];
+    all.momentum_kg_m_s = fluid_.density_kg_m3 * sums.flow_m4_s;
     return all;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace magfsi::openfoam {
@@ -149,11 +150,14 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
             open_area += area;
         }
     }
-    if (const auto* disc = fluid::opening<fluid::Disc>(inlet))
-        open_area = std::numbers::pi * disc->diameter_m * disc->diameter_m / 4;
-    else if (const auto* rectangle = fluid::opening<fluid::Rectangle>(inlet))
-        open_area = rectangle->size_m[0] * rectangle->size_m[1];
-    if (flux > 0) shape.factor = open_area / flux;
+    if (inlet.patch) open_area = fluid::area_m2(*inlet.patch);
+    if (!(flux > 0)) {
+        throw std::invalid_argument(fmt::format(
+            "fluid.boundaries.{}: found an opening that holds the centre of no cell's "
+            "face; make it larger, or fluid.spacing finer",
+            fluid::side_name[side]));
+    }
+    shape.factor = open_area / flux;
     return shape;
 }
 

@@ -156,6 +156,11 @@ void FixMagtticeDipoles::gather() {
 }
 
 void FixMagtticeDipoles::evaluate() {
+    if (members_.empty())
+        fail(*error,
+             "fix {0} magttice/dipoles found no fix magttice with the words \"dipoles "
+             "{0}\"; it needs at least one",
+             id);
     const auto changed = [](const Member* member) { return member->changed; };
     if (std::ranges::any_of(members_, changed)) renumber();
     gather();

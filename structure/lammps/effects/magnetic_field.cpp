@@ -110,10 +110,10 @@ class UniformField : public BodyForce {
     // the field at both ends gives the work of the step: exact for a field linear in
     // time.
     Turnover advance() override {
-        std::array<double, 3> before{};
+        Vec3 before{};
         for (int d = 0; d < 3; ++d) before[d] = field_[d].value_t;
         evaluate();
-        const std::array<double, 3> flow = charge_flow();
+        const Vec3 flow = charge_flow();
         Turnover step;
         for (int d = 0; d < 3; ++d) {
             step.work_j += 0.5 * update->dt * (before[d] + field_[d].value_t) * flow[d];
@@ -161,12 +161,11 @@ class UniformField : public BodyForce {
         }
     }
     // Sum of q v over this rank's nodes [A m2/s].
-    std::array<double, 3> charge_flow() const {
-        std::array<double, 3> sum{};
+    Vec3 charge_flow() const {
+        Vec3 sum{};
         const double* const* const v = atom->v;
-        for (const ChargedNode& node : charged_) {
-            for (int d = 0; d < 3; ++d) sum[d] += node.charge_a_m * v[node.atom][d];
-        }
+        for (const ChargedNode& node : charged_)
+            sum += node.charge_a_m * vector_at(v[node.atom]);
         return sum;
     }
 

@@ -69,11 +69,10 @@ FixMagtticeQuiet::Largest FixMagtticeQuiet::largest() {
     std::array<double, 2> mine{};
     for (int i = 0; i < atom->nlocal; ++i) {
         if ((atom->mask[i] & groupbit) == 0) continue;
-        const double* f = atom->f[i];
-        const double* elastic = &elastic_[3 * static_cast<std::size_t>(i)];
-        mine[0] = std::max(mine[0], std::hypot(f[0], f[1], f[2]));
-        mine[1] = std::max(
-            mine[1], std::hypot(f[0] - elastic[0], f[1] - elastic[1], f[2] - elastic[2]));
+        const Vec3 f = vector_at(atom->f[i]);
+        const Vec3 elastic = vector_at(&elastic_[3 * static_cast<std::size_t>(i)]);
+        mine[0] = std::max(mine[0], norm(f));
+        mine[1] = std::max(mine[1], norm(f - elastic));
     }
     std::array<double, 2> all{};
     MPI_Allreduce(mine.data(), all.data(), 2, MPI_DOUBLE, MPI_MAX, world);

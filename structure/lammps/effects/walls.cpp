@@ -188,17 +188,14 @@ void FixMagtticeSolid::push() {
     double* const* const f = atom->f;
     for (Point& point : here_) {
         Vec3 place{};
-        for (const int a : point.atom) {
-            for (std::size_t d = 0; d < 3; ++d) place[d] += 0.25 * x[a][d];
-        }
+        for (const int a : point.atom) place += 0.25 * vector_at(x[a]);
         if (distance_m(place, point.seen_m) < point.clear_m) continue;
         const SignedDistance to = signed_distance(*shape_, place, period_m_);
         point.seen_m = place;
         point.clear_m = std::max(0.0, (1 - rounding) * to.distance_m);
         Platform plane = plane_;
         plane.normal = to.normal;
-        for (std::size_t d = 0; d < 3; ++d)
-            plane.point_m[d] = place[d] - to.distance_m * to.normal[d];
+        plane.point_m = place - to.distance_m * to.normal;
         PlatformContact contact;
         if constexpr (rough)
             contact = platform_contact(plane, point.area_m2, place.data(), at_rest, 0,
@@ -207,9 +204,7 @@ void FixMagtticeSolid::push() {
             contact = frictionless_contact(plane, point.area_m2, place.data(), at_rest);
         energy_j_ += contact.energy_j;
         slid_j_ += contact.slid_j;
-        for (const int a : point.atom) {
-            for (std::size_t d = 0; d < 3; ++d) f[a][d] += 0.25 * contact.force_n[d];
-        }
+        for (const int a : point.atom) add_to(f[a], 0.25 * contact.force_n);
     }
 }
 

@@ -144,6 +144,7 @@ FluidConfig plane_channel() {
         channel({60, height, width}, 0.8, 0, speed, BoundaryKind::no_slip);
     config.boundaries[4].kind = config.boundaries[5].kind = BoundaryKind::periodic;
     config.boundaries[0].inlet.profile = InletProfile::parabolic;
+    config.boundaries[0].inlet.ramp_s = 200;  // at once, layers would alternate by 1e-3
     return config;
 }
 
@@ -152,9 +153,9 @@ TEST(PlaneFlow, IsThatOfPoiseuille) {
     advance(fluid, 6000);  // 2.3 times H^2 / nu: exp(-pi^2 2.3) of the start is left
     const double area = height * width;
     const PlaneFlow near = fluid.plane_flow(0, 20.3), far = fluid.plane_flow(0, 40.3);
-    // Compressible by pressure / c^2 = 3 * 12 nu U 40 / H^2 = 1.1e-3.
-    EXPECT_NEAR(near.flow_m3_s / (speed * area), 1, 2e-3);
-    EXPECT_NEAR(far.flow_m3_s / (speed * area), 1, 2e-3);
+    // Mass is kept, also where its density falls, by 3 * 12 nu U 40 / H^2 = 1.1e-3.
+    EXPECT_NEAR(near.flow_m3_s / (speed * area), 1, 2e-4);
+    EXPECT_NEAR(far.flow_m3_s / (speed * area), 1, 2e-4);
     // And the midpoint rule over 16 cells: 1 / (2 * 16^2).
     EXPECT_NEAR(near.momentum_flux_n[0] / (1.2 * speed * speed * area), 1, 8e-3);
     EXPECT_NEAR(near.momentum_flux_n[1] / (speed * speed * area), 0, 1e-3);
@@ -169,13 +170,17 @@ TEST(PlaneFlow, IsThatOfPoiseuille) {
 // Around an obstacle what flows is the same, through less of the plane; on any ranks.
 TEST(PlaneFlow, IsTheSameOnAnyRanksAlsoAtObstacles) {
     FluidConfig config = plane_channel();
-    config.obstacles = {{"brick", Block{{20, 5, -1}, {28, 11, 9}}}};
+    config.obstacles = {{"brick", Block{{20, 5, -1}, {28, 11, 9}}},
+                        {"ball", Sphere{{40, 7.3, 1.6}, 5}}};
     Fluid parallel(MPI_COMM_WORLD, config), serial(MPI_COMM_SELF, config);
     advance(parallel, 3000);
     advance(serial, 3000);
     for (const int axis : {0, 1, 2}) {
-        for (const double at : {0.0, 0.7, 2.1}) {
-            const double place = axis == 0 ? 24 + at : at;
+        const std::vector<double> places =
+            axis == 0   ? std::vector{24.0, 24.7, 37.9, 40.6, 42.1}
+            : axis == 1 ? std::vector{0.0, 0.7, 5.2, 7.5, 9.6}
+                        : std::vector{0.0, 0.7, 2.1};
+        for (const double place : places) {
             const PlaneFlow a = parallel.plane_flow(axis, place);
             const PlaneFlow b = serial.plane_flow(axis, place);
             // Rounding of sums over some hundred cells in another order.
@@ -185,9 +190,44 @@ TEST(PlaneFlow, IsTheSameOnAnyRanksAlsoAtObstacles) {
                 EXPECT_NEAR(a.momentum_flux_n[d], b.momentum_flux_n[d], 1e-15);
         }
     }
-    // Compressibility, as above, three times the fall in pressure.
+    // The brick's faces lie half a cell from the cells, where bounce-back keeps mass.
     EXPECT_NEAR(serial.plane_flow(0, 24).flow_m3_s / serial.plane_flow(0, 10).flow_m3_s,
-                1, 1e-2);
+                1, 5e-4);
+}
+
+// ---- Through planes that cut a rod at any place flows what the inlet brings. The cells
+// alone lack 0.9 % where the rod is 8 cells thick, and 0.24 % where it is 16.
+
+// Largest error of the flow through planes at the rod, over the inlet's. size: multiple
+// of the coarser grid.
+double worst_flow_past_a_rod(int size) {
+    constexpr double inlet = 0.0075;
+    FluidConfig config =
+        channel({40 * size, 20 * size, 1}, 0.8, 0, inlet / size, BoundaryKind::no_slip);
+    config.boundaries[4].kind = config.boundaries[5].kind = BoundaryKind::periodic;
+    config.boundaries[0].inlet.profile = InletProfile::parabolic;
+    config.boundaries[0].inlet.ramp_s = 50 * size * size;
+    const double n = size;
+    config.obstacles = {
+        {"rod", Cylinder{{50 * n / 3, 29 * n / 3, 0}, 8 * n, 2, std::nullopt}}};
+    Fluid fluid(MPI_COMM_WORLD, config);
+    advance(fluid, 3600);  // 2.2 times H^2 / (pi^2 nu) of the finer grid
+    double worst = 0;
+    for (double at = 11 * n; at < 22 * n; at += 0.37) {
+        const double flow = fluid.plane_flow(0, at).flow_m3_s / (inlet * 20);
+        worst = std::max(worst, std::abs(flow - 1));
+    }
+    std::printf("rod of %d cells: largest error of the flow %.2e\n", 8 * size, worst);
+    return worst;
+}
+
+TEST(PlaneFlow, IsTheInletsWhereverThePlaneCutsAnObstacle) {
+    const double coarse = worst_flow_past_a_rod(1), fine = worst_flow_past_a_rod(2);
+    // Walls between cells lose and make mass of the second order in the spacing: behind
+    // the rod 0.5 % more flows than before it.
+    EXPECT_LT(coarse, 7e-3);
+    EXPECT_LT(fine, 1.4e-3);
+    EXPECT_LT(fine, coarse / 3);
 }
 
 // ---- A plane flow in a periodic slab is the same one cell deep and four cells deep.

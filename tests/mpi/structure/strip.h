@@ -85,11 +85,8 @@ inline Vec3 momentum(const Body& body, const std::vector<double>& velocity,
                      std::size_t first = 0) {
     const auto mass = build_lattice(body).node_mass_kg;
     Vec3 out{};
-    for (std::size_t a = 0; a < mass.size(); ++a) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            out[d] += mass[a] * velocity[3 * (first + a) + d];
-        }
-    }
+    for (std::size_t a = 0; a < mass.size(); ++a)
+        out += mass[a] * vector_at(&velocity[3 * (first + a)]);
     return out;
 }
 

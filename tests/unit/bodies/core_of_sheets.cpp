@@ -24,7 +24,7 @@ scene::Scene block(const structure::Vec3& size_m, std::array<int, 3> elements) {
 }
 
 auto in_core(const scene::Scene& scene) {
-    auto markers = place_markers(scene, 0);
+    auto markers = place_markers(scene, 0, to_mesh(scene.bodies[0]));
     std::erase_if(markers, [](const PlacedMarker& m) { return !m.core; });
     return markers;
 }

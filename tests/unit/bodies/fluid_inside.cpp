@@ -65,8 +65,9 @@ TEST(FluidInside, stays_without_a_fluid_and_where_nodes_are_slowed_by_their_mass
 
 TEST(FluidInside, is_what_the_nodes_lack_of_the_whole_mass) {
     const scene::Scene scene = scene_with({1860, 700});
-    const auto whole = whole_masses_kg(scene);
-    const auto inside = bodies_in_fluid(scene);
+    const Solids solids = to_bodies(scene);
+    const auto whole = whole_masses_kg(solids);
+    const auto inside = bodies_in_fluid(scene, solids);
     std::size_t first = 0;
     for (std::size_t b = 0; b < inside.size(); ++b) {
         const auto nodal = structure::build_lattice(inside[b]).node_mass_kg;

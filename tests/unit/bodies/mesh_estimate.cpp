@@ -7,9 +7,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 
 #include "adapters/solvers/bodies/scene_to_body.h"
 #include "structure/equilibrium/mesh_error.h"
+#include "tests/support/checks.h"
 
 namespace magfsi::bodies {
 namespace {
@@ -68,6 +70,34 @@ TEST(MeshEstimate, OfAFineMeshFromAFileIsWhatItsElementDoes) {
     }
 }
 
+// A table has rows for the body's own elements alone; equal ones are a uniform body.
+TEST(MeshEstimate, OfATableOfMagnetizationIsThatOfItsBody) {
+    scene::Scene scene;
+    scene.time.end_s = 1;
+    scene.magnetic_field.emplace();
+    scene.magnetic_field->course = scene::VectorField{{0, 0, 1e-3}};
+    const test::TemporaryFolder folder;
+    const auto file = folder / "rows.csv";
+    for (const std::array<int, 3> elements :
+         {std::array{8, 3, 1}, std::array{36, 11, 2}}) {
+        scene::Body table = beam(structure::ElementVariant::full, elements);
+        std::ofstream rows(file);
+        rows << "Mx[A/m],My[A/m],Mz[A/m]\n";
+        for (int e = 0; e < elements[0] * elements[1] * elements[2]; ++e)
+            rows << "62000,0,0\n";
+        rows.close();
+        scene::Body uniform = table;
+        table.magnetization = structure::TableMagnetization{file.string()};
+        uniform.magnetization = structure::UniformMagnetization{{62e3, 0, 0}};
+        const auto told = estimate_mesh_error(scene, table, to_body(table));
+        const auto same = estimate_mesh_error(scene, uniform, to_body(uniform));
+        ASSERT_EQ(told.not_made, "");
+        // The coarse one is refined in both; the fine one's reference is its own mesh.
+        EXPECT_NEAR(told.largest, same.largest, elements[0] == 8 ? 1e-9 : 0.04);
+        EXPECT_LT(told.largest, 0);
+    }
+}
+
 TEST(MeshEstimate, OfMeshesThatTakeLongIsNotMadeAndSaysSo) {
     using enum structure::ElementVariant;
     scene::Scene scene;
@@ -79,7 +109,8 @@ TEST(MeshEstimate, OfMeshesThatTakeLongIsNotMadeAndSaysSo) {
               "more than 6000 elements: compare with a run on elements half or twice as "
               "large");
     EXPECT_EQ(estimate_mesh_error(scene, other, solid).not_made,
-              "more than 750 elements that are no block: compare with a run on elements "
+              "more than 750 elements that are no block, or have a table of "
+              "magnetization: compare with a run on elements "
               "half or twice as large");
 }
 

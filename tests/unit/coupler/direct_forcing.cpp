@@ -78,8 +78,7 @@ constexpr double rounding = 1e-13;
 
 Vec3 total(std::span<const Vec3> values) {
     Vec3 sum{};
-    for (const Vec3& v : values)
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += v[d];
+    for (const Vec3& v : values) sum += v;
     return sum;
 }
 

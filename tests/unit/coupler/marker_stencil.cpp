@@ -24,9 +24,8 @@ double sum(const Stencil1D& s) {
 // Distances in cells from a wall, breakpoints of all kernels included.
 constexpr double from_wall[] = {0, 1e-15, 0.1, 0.25, 0.5, 0.75, 1, 1.3, 1.5, 1.9, 2};
 
-void check_point(const Grid& grid, Kernel kernel, const std::array<double, 3>& in_cells) {
-    Vec3 point;
-    for (std::size_t d = 0; d < 3; ++d) point[d] = in_cells[d] * grid.spacing_m;
+void check_point(const Grid& grid, Kernel kernel, const Vec3& in_cells) {
+    const Vec3 point = in_cells * grid.spacing_m;
     const MarkerStencil stencil = marker_stencil(grid, kernel, point);
     for (std::size_t d = 0; d < 3; ++d) {
         EXPECT_GE(stencil[d].first, 0);

@@ -123,7 +123,7 @@ TEST_F(SheetOfTwo, gives_the_change_of_the_layers_momentum_however_it_turns) {
             std::ranges::copy(turned(&nodes[node], angle), &position[node]);
         layer.add(std::vector<Vec3>(2), std::vector<Vec3>(2, turned(&before[0], angle)),
                   position.data());
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += layer.given()[0][d];
+        sum += layer.given()[0];
     }
     EXPECT_NEAR(sum[0], density * beyond_m3 * -2 * speed, 1e-17);
     EXPECT_NEAR(sum[1], 0, 1e-17);

@@ -72,8 +72,7 @@ TEST_P(SpreadingAndInterpolation, spreading_keeps_the_total_force) {
     Vec3 expected{};
     for (std::size_t i = 0; i < density.size(); ++i)
         total[i % 3] += density[i] * cell_volume_m3();
-    for (const Vec3& f : force)
-        for (std::size_t d = 0; d < 3; ++d) expected[d] += f[d];
+    for (const Vec3& f : force) expected += f;
     for (std::size_t d = 0; d < 3; ++d) {
         EXPECT_NEAR(total[d], expected[d], rounding * marker_count * 1e-6)
             << "axis " << d;
@@ -102,8 +101,9 @@ INSTANTIATE_TEST_SUITE_P(AllKernels, SpreadingAndInterpolation,
 TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_speed) {
     const Grid grid = cut_grid({8, 7, 12}, {true, true, true});
     ArrayFluid fluid(grid, 0);
-    FluidSide side(fluid, grid.owned_by_rank[0], GetParam(), ArrayFluid::step_s,
-                   Forcing::no_slip);
+    NoSlipFluidSide side(fluid, grid.owned_by_rank[0], GetParam(), ArrayFluid::step_s,
+                         ArrayFluid::density_kg_m3, {});
+    const NoSlipAnswer& answer = *side.answer();
     std::vector<Vec3> points;
     std::vector<double> volume;
     for (int y = 0; y < 7; ++y) {
@@ -113,20 +113,14 @@ TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_sp
             volume.push_back(0.7 * cell_volume_m3());
         }
     }
-    const auto sampled = side.sample(points);
+    const auto sampled = side.sample(points, volume);
     const std::vector<Vec3> before(sampled.begin(), sampled.end());
-    NoSlipAnswer answer;
-    answer.make_room(points.size());
-    side.add_row_sums(volume, answer);
     const Vec3 slip{0.2, -0.1, 0.3};
     std::vector<Vec3> impulse(points.size());
     for (std::size_t m = 0; m < points.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d)
-            impulse[m][d] =
-                2 * ArrayFluid::density_kg_m3 * volume[m] / answer.row_sum[m] * slip[d];
+        impulse[m] = 2 * ArrayFluid::density_kg_m3 * volume[m] / answer.row_sum[m] * slip;
     }
     side.spread(points, impulse);
-    side.add_passed(ArrayFluid::density_kg_m3, {}, answer);
     for (std::size_t m = 0; m < points.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
             ASSERT_NEAR(answer.passed[m][d], before[m][d] + slip[d], rounding);
@@ -160,8 +154,7 @@ Sums sums(const Grid& grid, Kernel kernel) {
         rows.place(points);
         std::vector<Vec3> share(cloud_size);
         rows.interpolate(field.read(rows.rows()), share);
-        for (std::size_t m = 0; m < cloud_size; ++m)
-            for (std::size_t d = 0; d < 3; ++d) total.velocity[m][d] += share[m][d];
+        for (std::size_t m = 0; m < cloud_size; ++m) total.velocity[m] += share[m];
         std::vector<double> density(3 * rows.cells());
         rows.spread(force, 1, density);
         total.density.add(rows.rows(), density);
@@ -281,8 +274,7 @@ TEST(TouchedRows, of_several_boxes_are_those_of_each) {
             rows.spread(impulse, 1, part);
             std::vector<Vec3> share(points.size());
             rows.interpolate(part, share);
-            for (std::size_t m = 0; m < share.size(); ++m)
-                for (std::size_t d = 0; d < 3; ++d) sum[m][d] += share[m][d];
+            for (std::size_t m = 0; m < share.size(); ++m) sum[m] += share[m];
             expected.insert(expected.end(), part.begin(), part.end());
         }
         EXPECT_EQ(density,

@@ -47,8 +47,7 @@ TEST_P(MarkersAtObstacles, give_all_their_force_to_the_fluid) {
         CellField field(grid);
         field.add(rows.rows(), density);
         Vec3 left{};
-        for (const Vec3& f : force)
-            for (std::size_t d = 0; d < 3; ++d) left[d] += f[d];
+        for (const Vec3& f : force) left += f;
         const SolidCells solid(grid);
         for (int z = 0; z < depth; ++z)
             for (int y = 0; y < 10; ++y)

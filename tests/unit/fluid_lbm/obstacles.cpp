@@ -250,6 +250,26 @@ TEST_F(StlFile, BinaryIsTheBlock) {
     expect_same_as_block(path_);
 }
 
+// By winding numbers: cells and links are those of the union, which even-odd counting
+// would make hollow where the parts overlap or are given twice.
+TEST_F(StlFile, PartsThatOverlapAreTheirUnion) {
+    auto parts = block_surface({2, 3, 1}, {5, 8, 6});
+    for (const auto& more :
+         {block_surface({4, 3, 1}, {7, 8, 6}), block_surface({2, 3, 1}, {5, 8, 6}),
+          block_surface({3, 4, 2}, {6, 7, 5})})
+        parts.insert(parts.end(), more.begin(), more.end());
+    write_binary(in_file_units(parts));
+    expect_same_as_block(path_);
+    const FluidConfig empty = lattice_fluid({10, 10, 10}, 0.6, Collision::automatic);
+    const auto mass = [&](const ObstacleShape& shape) {
+        FluidConfig config = empty;
+        config.obstacles = {{"body", shape}};
+        return Fluid(MPI_COMM_WORLD, config).totals().mass_kg;
+    };
+    EXPECT_DOUBLE_EQ(mass(StlSurface{path_.string(), 0.5, {1, 1, 1}}),
+                     mass(Block{{2, 3, 1}, {7, 8, 6}}));
+}
+
 TEST_F(StlFile, OpenSurfaceIsRefused) {
     auto triangles = block_surface({2, 3, 1}, {7, 8, 6});
     triangles.pop_back();

@@ -256,7 +256,7 @@ INSTANTIATE_TEST_SUITE_P(Precisions, NextStep, every_precision);
 std::optional<std::array<int, 3>> too_fast(const Fluid& fluid) {
     std::optional<std::array<int, 3>> first;
     for_each_velocity(fluid, [&](const std::array<int, 3>& cell, const Vec3& u) {
-        const bool slow = std::hypot(u[0], u[1], u[2]) <= 0.4;
+        const bool slow = norm(u) <= 0.4;
         if (!first && !slow) first = cell;
     });
     return first;

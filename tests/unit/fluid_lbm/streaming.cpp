@@ -104,10 +104,10 @@ void Streaming::expect_two_grids(Precision precision) const {
     Arrangement arrangement = Arrangement::natural;
     for (int step = 0; step < 7; ++step) {
         const RowBox all{0, n[1], 0, n[2]};
-        sweep({populations, layout, arrangement, kernels}, nullptr, parameters, all);
+        sweep({populations, layout, arrangement, kernels, parameters}, nullptr, all);
         arrangement = arrangement_after(step + 1);
         field = streamed(field);
-        const View view{populations, layout, arrangement, kernels};
+        const View view{populations, layout, arrangement, kernels, parameters};
         std::vector<double> plane(static_cast<std::size_t>(directions) * n[0] * n[1]);
         for (int z = 0; z < n[2]; ++z) {
             read_plane(view, z, plane);

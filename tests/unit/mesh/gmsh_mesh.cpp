@@ -99,9 +99,7 @@ TEST_P(EveryFormat, GivesTheBlockWithItsNames) {
     const PointLocator locator(block);
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         Vec3 centre{};
-        for (const int n : mesh.elements[e]) {
-            for (int d = 0; d < 3; ++d) centre[d] += 0.125 * mesh.nodes[n][d];
-        }
+        for (const int n : mesh.elements[e]) centre += 0.125 * mesh.nodes[n];
         const int same = locator.nearest(centre).element;
         for (int a = 0; a < 8; ++a) {
             // Gmsh merges points within 1e-8 of the model and writes 16 digits.
@@ -179,12 +177,14 @@ void cube() {
     gmsh::model::geo::synchronize();
 }
 
-// One cube in version 2.2: the corners' numbers in Gmsh's order.
-std::string one_cube(const std::string& corners) {
+// One cube in version 2.2: the corners' numbers in Gmsh's order; those of the last node
+// and of the element.
+std::string one_cube(const std::string& corners, const std::string& node = "8",
+                     const std::string& element = "1") {
     return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n"
-           "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
-           "$EndNodes\n$Elements\n1\n1 5 2 0 1 " +
-           corners + "\n$EndElements\n";
+           "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n" +
+           node + " 0 1 1\n$EndNodes\n$Elements\n1\n" + element + " 5 2 0 1 " + corners +
+           "\n$EndElements\n";
 }
 
 TEST(GmshRefusals, Tetrahedra) {
@@ -254,6 +254,32 @@ TEST(GmshRefusals, AFaceAwayFromTheBody) {
 TEST(GmshRefusals, AnInsideOutElement) {
     test::expect_says(refusal(text_file("bowtie.msh", one_cube("1 2 3 4 6 5 7 8"))),
                       {"element 1 of the mesh", "inverted or flat"});
+}
+
+TEST(GmshRefusals, NameElementsByTheNumbersOfTheFile) {
+    test::expect_says(
+        refusal(text_file("number.msh", one_cube("1 2 3 4 6 5 7 8", "8", "41"))),
+        {"element 41 of the mesh"});
+    std::string twins = one_cube("1 2 3 4 5 6 7 8", "8", "41");
+    twins.replace(twins.find("$Elements\n1"), 11, "$Elements\n2");
+    twins.insert(twins.find("$EndElements"), "57 5 2 0 1 5 6 7 8 1 2 3 4\n");
+    test::expect_says(refusal(text_file("twins.msh", twins)), {"elements 41 and 57"});
+}
+
+TEST(GmshRefusals, NumbersAbove31Bits) {
+    const std::string most = "2147483647";
+    for (const std::string more : {"2147483648", "4294967304", "99999999999999999999"}) {
+        for (const bool of_node : {true, false}) {
+            const auto cube = [&](const std::string& number) {
+                return text_file(
+                    "large.msh",
+                    one_cube("1 2 3 4 5 6 7 " + (of_node ? number : "8"),
+                             of_node ? number : "8", of_node ? "1" : number));
+            };
+            test::expect_says(refusal(cube(more)), {more, most, "Mesh.Renumber"});
+            EXPECT_EQ(read_gmsh_mesh(cube(most), 1).mesh.elements.size(), 1U);
+        }
+    }
 }
 
 TEST(GmshRefusals, AMirroredElementIsTurnedInstead) {

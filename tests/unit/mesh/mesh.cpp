@@ -33,8 +33,7 @@ TEST(Surface, AreaVectorsOfADistortedBlockSumToZero) {
     const Mesh mesh = test::distorted_block(box, 2e-5, 3);
     Vec3 sum{};
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const Vec3 area = quad_area_vector(corners(mesh.nodes, quad.node));
-        for (int d = 0; d < 3; ++d) sum[d] += area[d];
+        sum += quad_area_vector(corners(mesh.nodes, quad.node));
     }
     for (double s : sum) EXPECT_NEAR(s, 0, 1e-20);  // rounding of areas of 8e-6 m2
 }
@@ -97,7 +96,7 @@ TEST(SurfacePoints, FluxOfThePositionApproachesThreeVolumes) {
         for (const SurfacePoint& p :
              surface_points(mesh, boundary_quads(mesh), spacing[s])) {
             const Vec3 x = position(mesh, p.point);
-            for (int d = 0; d < 3; ++d) flux += x[d] * p.normal[d] * p.area_m2;
+            flux += dot(x, p.normal) * p.area_m2;
         }
         error[s] = std::abs(flux / (3 * volume) - 1);
     }
@@ -242,12 +241,9 @@ TEST(Locate, PointsJustOutsideAreFoundWithATolerance) {
     int moved = 0;
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
         const Vec3 area = quad_area_vector(corners(mesh.nodes, quad.node));
-        const double norm = quad_area(corners(mesh.nodes, quad.node));
         Vec3 at{};
-        for (int d = 0; d < 3; ++d) {
-            for (const int node : quad.node) at[d] += 0.25 * mesh.nodes[node][d];
-            at[d] += 2e-5 * area[d] / norm;  // 4e-4 of the thinnest element, 2 across
-        }
+        for (const int node : quad.node) at += 0.25 * mesh.nodes[node];
+        at += 2e-5 * area / norm(area);  // 4e-4 of the thinnest element, 2 across
         EXPECT_FALSE(locator.find(at));
         const auto found = locator.find(at, 1e-3);
         ASSERT_TRUE(found);

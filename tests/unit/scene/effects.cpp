@@ -2,6 +2,7 @@
 // What a scene comes to: effects, those that can do nothing, hash.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
@@ -194,6 +195,15 @@ TEST(Hash, of_the_states_ignores_what_changes_none) {
     EXPECT_NE(state("time.step=19 us"), as_it_is);
     EXPECT_NE(state("checkpoint.every=4 ms"), as_it_is);
     EXPECT_EQ(state("checkpoint.max_retries=3"), as_it_is);
+}
+
+// An effect of which nothing is said but that it is there is another scene.
+TEST(Hash, knows_an_effect_by_its_empty_map) {
+    const Scene without = read_scene(test_folder / "complete/swimmer.yaml");
+    const Scene with = read_scene(test_folder / "complete/swimmer.yaml", {"contact={}"});
+    EXPECT_TRUE(effective_scene(with).contains("contact"));
+    EXPECT_NE(with.hash, without.hash);
+    EXPECT_NE(state_hash(with), state_hash(without));
 }
 
 TEST(Hash, is_that_of_the_values) {

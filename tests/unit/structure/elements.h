@@ -72,7 +72,7 @@ inline Mesh distorted_block(const Box& box, double amplitude_m, unsigned seed) {
 }
 
 inline double distance(const Vec3& a, const Vec3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    return norm(a - b);
 }
 
 // A bar along x, its halves (or layers) of two materials.

@@ -131,10 +131,8 @@ TEST(Newton, TurnsAFreeMagnetAlongTheField) {
     const auto& line = body.mesh.centre_line;
     Vec3 ends{};
     for (int a = 0; a < 8; ++a) {
-        for (int d = 0; d < 3; ++d) {
-            ends[d] += line.back().weight[a] * found.nodes_m[line.back().node[a]][d] -
-                       line.front().weight[a] * found.nodes_m[line.front().node[a]][d];
-        }
+        ends += line.back().weight[a] * found.nodes_m[line.back().node[a]] -
+                line.front().weight[a] * found.nodes_m[line.front().node[a]];
     }
     // Residual 1e-9 over the torque's own stiffness, which the same field makes.
     EXPECT_NEAR(ends[0] / 20e-3, 0, 1e-6);

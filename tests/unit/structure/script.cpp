@@ -12,6 +12,7 @@
 #include "structure/lammps/platform_law.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
+#include "structure/table_rows.h"
 #include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
 
@@ -169,6 +170,27 @@ TEST(FieldProgram, TableIsLinearBetweenItsRowsAndRepeats) {
     // Ten periods later; 0.41 is rounded by 1e-17 s, the slope is 1.7 T/s.
     const Vec3 later = field_at(program, 0.415);
     EXPECT_NEAR(later[0], 0.0085 * std::cos(0.3), 1e-15);
+}
+
+// Of all tables: one of a course that begins later is held until then, and repeats after.
+TEST(FieldProgram, TableThatRepeatsIsHeldBeforeItsFirstRow) {
+    const std::vector<double> time{1, 2, 4}, value{0.01, 0.02, 0.01};
+    const std::vector<Vec3> vector{{0.01, 0, 0}, {0.02, 0, 0}, {0.01, 0, 0}};
+    const FieldProgram plane{{0, 2}, FieldTable{time, value, {0}, true}};
+    const FieldProgram space{{0, 2}, VectorTable{time, vector, true, {}, {}}};
+    for (const auto& [t, field] : {std::pair(-7.0, 0.01),
+                                   {0.0, 0.01},
+                                   {0.99, 0.01},
+                                   {1.0, 0.01},
+                                   {1.5, 0.015},
+                                   {3.0, 0.015},
+                                   {4.5, 0.015},
+                                   {7.5, 0.015},
+                                   {32.0, 0.02}}) {
+        EXPECT_NEAR(field_at(plane, t)[0], field, 1e-15) << t;
+        EXPECT_NEAR(field_at(space, t)[0], field, 1e-15) << t;
+        EXPECT_NEAR(rows_at(time, true, t).of(value), field, 1e-15) << t;
+    }
 }
 
 TEST(FieldProgram, TableHoldsItsEndsAndJumps) {

@@ -40,7 +40,7 @@ TEST(SolidShape, DistanceIsThatOfTheNearestPointOfTheSurface) {
             const SignedDistance to = signed_distance(shape, x);
             surface.push_back(moved(x, -to.distance_m, to.normal));
             EXPECT_NEAR(signed_distance(shape, surface.back()).distance_m, 0, 1e-14);
-            EXPECT_NEAR(std::hypot(to.normal[0], to.normal[1], to.normal[2]), 1, 1e-14);
+            EXPECT_NEAR(norm(to.normal), 1, 1e-14);
         }
         for (const Vec3& x : random_points(200)) {
             const double distance = std::abs(signed_distance(shape, x).distance_m);
@@ -164,7 +164,7 @@ TEST_F(Triangulated, NearestOfAllAndAHole) {
     int held = 0;
     for (const Vec3& x : random_points(2000)) {
         const SignedDistance to = signed_distance(surface, x);
-        const double r = std::hypot(x[0], x[1], x[2]);
+        const double r = norm(x);
         const double from_hole = std::hypot(x[0] - 0.1, x[1], x[2]);
         if (r < 0.95 && from_hole > 0.62) {
             EXPECT_LT(to.distance_m, 0);

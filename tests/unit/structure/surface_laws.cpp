@@ -110,18 +110,14 @@ ContactLaw rough_nodes() {
     return law;
 }
 
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
 TEST(ContactLawOfNodes, FrictionIsMinusTheGradientOfItsEnergyWhileItSticks) {
     const ContactLaw law = rough_nodes();
     StuckPair stuck;
     pair_friction(law, areas_m4, {1e-5, 2e-5, 1.5e-4}, stuck);
     Vec3 x{1.4e-5, 1.7e-5, 1.48e-4};
     const Vec3 force = pair_friction(law, areas_m4, x, stuck).force_n;
-    const double most = law.friction * contact_force(law, areas_m4, length(x)).force_n;
-    EXPECT_GT(length(force), 0.01 * most);
+    const double most = law.friction * contact_force(law, areas_m4, norm(x)).force_n;
+    EXPECT_GT(norm(force), 0.01 * most);
     for (std::size_t d = 0; d < 3; ++d) {
         const double h = 1e-9;
         const auto energy_at = [&](double by) {
@@ -133,7 +129,7 @@ TEST(ContactLawOfNodes, FrictionIsMinusTheGradientOfItsEnergyWhileItSticks) {
         const double slope = (energy_at(h) - energy_at(-h)) / (2 * h);
         // Central differences over 1e-9 of 1.5e-4 m, and rounding of the energy over h.
         EXPECT_NEAR(-slope, force[d],
-                    1e-9 * length(force) + 1e-15 * length(force) * 1e-4 / h);
+                    1e-9 * norm(force) + 1e-15 * norm(force) * 1e-4 / h);
     }
 }
 
@@ -142,9 +138,9 @@ TEST(ContactLawOfNodes, FrictionIsCoulombsAndASecondLookChangesNothing) {
     StuckPair stuck;
     EXPECT_EQ(pair_friction(law, areas_m4, {0, 0, 1.5e-4}, stuck).force_n, (Vec3{}));
     const Vec3 far{5e-5, 0, 1.5e-4};
-    const double most = law.friction * contact_force(law, areas_m4, length(far)).force_n;
+    const double most = law.friction * contact_force(law, areas_m4, norm(far)).force_n;
     const PairFriction slid = pair_friction(law, areas_m4, far, stuck);
-    EXPECT_NEAR(length(slid.force_n) / most, 1, 1e-12);
+    EXPECT_NEAR(norm(slid.force_n) / most, 1, 1e-12);
     // Against the motion, across the line between the nodes.
     EXPECT_LT(slid.force_n[0], 0);
     EXPECT_NEAR(slid.force_n[0] * far[0] + slid.force_n[2] * far[2], 0,
@@ -178,8 +174,7 @@ TEST(ContactLawOfNodes, WhatFrictionTakesIsWhatItHasAndWhatIsLost) {
                             1.6e-4 - 3e-5 * (1 - std::cos(t))};
             const PairFriction now = pair_friction(law, areas_m4, next, stuck);
             EXPECT_GE(now.lost_j, 0);
-            for (std::size_t d = 0; d < 3; ++d)
-                work -= 0.5 * (force[d] + now.force_n[d]) * (next[d] - x[d]);
+            work -= dot(0.5 * (force + now.force_n), next - x);
             lost += now.lost_j;
             force = now.force_n;
             x = next;

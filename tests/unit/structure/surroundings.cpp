@@ -32,9 +32,7 @@ FieldGradient gradient() {
 
 Vec3 sum(const std::vector<Vec3>& forces) {
     Vec3 out{};
-    for (const Vec3& f : forces) {
-        for (std::size_t d = 0; d < 3; ++d) out[d] += f[d];
-    }
+    for (const Vec3& f : forces) out += f;
     return out;
 }
 

@@ -56,9 +56,7 @@ inline double number(const ReferenceRow& row, const std::string& column) {
 
 inline Vec3 at(const MaterialPoint& point, const std::vector<Vec3>& nodes) {
     Vec3 out{};
-    for (int a = 0; a < 8; ++a) {
-        for (int d = 0; d < 3; ++d) out[d] += point.weight[a] * nodes[point.node[a]][d];
-    }
+    for (int a = 0; a < 8; ++a) out += point.weight[a] * nodes[point.node[a]];
     return out;
 }
 

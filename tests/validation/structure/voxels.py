@@ -142,7 +142,7 @@ class Voxels(unittest.TestCase):
                                               text).groups())
         testing.report(f"mass {mass} mg of {math.prod(size)}; cubes {cubes} % too many, weighed {weighed} %")
         self.assertGreater(abs(cubes), 5)
-        # What is left over of rounding to sixteenths of a cube, of 218 cubes.
+        # Well below one sixteenth of a cube, of 218 cubes.
         self.assertLess(abs(weighed), 100 / 16 / 218)
         self.assertAlmostEqual(mass / math.prod(size), 1, delta=1 / 16 / 218 + 5e-4)  # four digits
 

@@ -29,7 +29,7 @@ def read_json(path, other):
 
 def read_probes(folder):
     try:
-        columns = runs.read_columns(folder / "probes.csv")
+        columns = runs.read_table(folder / "probes.csv", float)
     except (OSError, ValueError, csv.Error):
         return {}
     return columns if columns.get("t[s]") else {}

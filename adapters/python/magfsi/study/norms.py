@@ -26,7 +26,7 @@ def check_probes(study, run):
 def _columns(run, norm):
     """Times, and a row of values for each of the norm's terms."""
     try:
-        probes = runs.read_columns(run.folder / "probes.csv")
+        probes = runs.read_table(run.folder / "probes.csv", float)
     except (OSError, ValueError) as error:
         raise NoError("the run left no probes.csv") from error
     for _, name in norm.terms:

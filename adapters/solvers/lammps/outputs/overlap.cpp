@@ -101,7 +101,7 @@ std::int64_t Overlap::look_at(const NodalState& nodes) {
     tell_near(met, around);
     double fastest = 0;
     for (const structure::Vec3& v : nodes.velocity_m_s)
-        fastest = std::max(fastest, std::hypot(v[0], v[1], v[2]));
+        fastest = std::max(fastest, norm(v));
     const double travel = std::max(growth * fastest * run_.substeps.coupled_step_s,
                                    least_cells_a_step * spacing_m_);
     // Surfaces that touch must move by half an element to pass through each other.

@@ -28,10 +28,12 @@ class Probes : public coupler::Output {
     const output::ProbeFile* probes() const override { return file_.get(); }
 
   private:
-    std::vector<bodies::BodyLoads> collect_loads() const;
-    void add_supports(std::vector<bodies::BodyLoads>& loads) const;
+    std::vector<bodies::BodyLoads> collect_loads(const NodalState& nodes) const;
+    void add_supports(const NodalState& state,
+                      std::vector<bodies::BodyLoads>& loads) const;
     FluidEnergy add_partner_values(std::vector<double>& row);
-    void add_audit(const FluidEnergy& fluid, std::vector<double>& row);
+    void add_audit(const NodalState& nodes, const FluidEnergy& fluid,
+                   std::vector<double>& row);
     void write();
 
     StructureRun& run_;
@@ -58,7 +60,7 @@ Probes::Probes(StructureRun& run)
 }
 
 // The loads on each body that probes need; complete on the root only. Collective.
-std::vector<bodies::BodyLoads> Probes::collect_loads() const {
+std::vector<bodies::BodyLoads> Probes::collect_loads(const NodalState& nodes) const {
     std::vector<bodies::BodyLoads> loads(run_.input.bodies.size());
     if (run_.coupling && needs(run_.scene, bodies::Load::fluid_force)) {
         const auto forces = run_.coupling->force_on_bodies();
@@ -79,16 +81,16 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
                 loads[b].work_magnetic_j = run_.field_work[b].work_j();
         }
     }
-    if (needs(run_.scene, bodies::Load::support)) add_supports(loads);
+    if (needs(run_.scene, bodies::Load::support)) add_supports(nodes, loads);
     return loads;
 }
 
 // Adds the force of the supports on each node [N], m a - F: m its mass, a the
 // acceleration of its prescribed motion (0 if it has none), F the sum of all other forces
 // on it. It is meant for held nodes; others have -F. Collective.
-void Probes::add_supports(std::vector<bodies::BodyLoads>& loads) const {
+void Probes::add_supports(const NodalState& state,
+                          std::vector<bodies::BodyLoads>& loads) const {
     const auto force_n = run_.engine->gather_forces(run_.atoms);
-    const auto mass_kg = run_.engine->gather(run_.atoms).mass_kg;
     if (!run_.session.world().root()) return;
     const double time_s = run_.session.clock().time_s();
     std::size_t first = 0;
@@ -96,17 +98,12 @@ void Probes::add_supports(std::vector<bodies::BodyLoads>& loads) const {
         const std::size_t nodes = run_.input.bodies[b].mesh.nodes.size();
         auto& support_n = loads[b].support_n;
         support_n.resize(nodes);
-        for (std::size_t n = 0; n < nodes; ++n) {
-            for (std::size_t d = 0; d < 3; ++d) support_n[n][d] = -force_n[first + n][d];
-        }
+        for (std::size_t n = 0; n < nodes; ++n) support_n[n] = -force_n[first + n];
         for (const structure::PrescribedMotion& motion : run_.input.motions) {
             if (motion.body != b) continue;
             const auto a = structure::acceleration_m_s2(motion.course, time_s);
-            for (const int node : structure::moved_nodes(run_.input.bodies[b], motion)) {
-                const std::size_t n = node;
-                for (std::size_t d = 0; d < 3; ++d)
-                    support_n[n][d] += mass_kg[first + n] * a[d];
-            }
+            for (const int node : structure::moved_nodes(run_.input.bodies[b], motion))
+                support_n[node] += state.mass_kg[first + node] * a;
         }
         first += nodes;
     }
@@ -139,8 +136,8 @@ FluidEnergy Probes::add_partner_values(std::vector<double>& row) {
 }
 
 // Appends the values of the energy audit. Collective.
-void Probes::add_audit(const FluidEnergy& fluid, std::vector<double>& row) {
-    const NodalState nodes = run_.engine->gather(run_.atoms);
+void Probes::add_audit(const NodalState& nodes, const FluidEnergy& fluid,
+                       std::vector<double>& row) {
     EnergyTerms terms = collect_terms(run_);
     if (!run_.session.world().root()) return;
     if (run_.coupling) terms.fluid = fluid;
@@ -152,15 +149,16 @@ void Probes::add_audit(const FluidEnergy& fluid, std::vector<double>& row) {
 // the values are complete on the root only, and the leading rank writes the file.
 void Probes::write() {
     const double time_s = run_.session.clock().time_s();
-    const NodalState nodes = run_.gather();
-    const auto loads = collect_loads();
+    const NodalState nodes = run_.engine->gather(run_.atoms);
+    const auto loads = collect_loads(nodes);
     const auto on_parts =
         run_.coupling ? run_.coupling->force_on_parts() : std::vector<bodies::Vec3>{};
     std::vector<double> row;
     if (of_bodies_ && run_.steered) of_bodies_->set_field(*run_.steered);
-    if (of_bodies_) row = of_bodies_->values(time_s, nodes, loads, on_parts);
+    if (of_bodies_)
+        row = of_bodies_->values(time_s, run_.with_whole_masses(nodes), loads, on_parts);
     const auto of_fluid = run_.coupling ? add_partner_values(row) : FluidEnergy{};
-    if (run_.audit) add_audit(of_fluid, row);
+    if (run_.audit) add_audit(nodes, of_fluid, row);
     if (!file_) return;
     file_->row(time_s, row);
     const std::string fault = run_.audit ? run_.audit->fault() : std::string{};

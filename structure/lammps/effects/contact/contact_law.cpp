@@ -36,7 +36,7 @@ double stuck_energy_j(const ContactLaw& law, double areas_m4, const StuckPair& s
 PairFriction pair_friction(const ContactLaw& law, double areas_m4, const Vec3& apart_m,
                            StuckPair& stuck) {
     PairFriction out;
-    const double r = std::hypot(apart_m[0], apart_m[1], apart_m[2]);
+    const double r = norm(apart_m);
     const double normal_n = contact_force(law, areas_m4, r).force_n;
     if (normal_n == 0) {
         if (stuck.held) out.lost_j = stuck_energy_j(law, areas_m4, stuck);
@@ -46,24 +46,19 @@ PairFriction pair_friction(const ContactLaw& law, double areas_m4, const Vec3& a
     if (!stuck.held) stuck = {apart_m, 0, true};
     double along = 0;  // s.n
     for (std::size_t d = 0; d < 3; ++d) along += stuck.apart_m[d] * apart_m[d] / r;
-    Vec3 across{};
-    for (std::size_t d = 0; d < 3; ++d)
-        across[d] = stuck.apart_m[d] - along * apart_m[d] / r;
-    const double slip = std::hypot(across[0], across[1], across[2]);
+    const Vec3 across = stuck.apart_m - along * apart_m / r;
+    const double slip = norm(across);
     const double spring = spring_n_m(law, areas_m4);
     const double most_n = law.friction * normal_n;
     if (slip == 0 || (along > 0 && spring * along / r * slip <= most_n)) {
-        for (std::size_t d = 0; d < 3; ++d)
-            out.force_n[d] = spring * along / r * across[d];
+        out.force_n = spring * along / r * across;
         stuck.slip_m = slip;
         return out;
     }
     along = std::max(along, r);
     const double kept = most_n / spring * r / along;
-    for (std::size_t d = 0; d < 3; ++d) {
-        out.force_n[d] = most_n * across[d] / slip;
-        stuck.apart_m[d] = along * apart_m[d] / r + kept * across[d] / slip;
-    }
+    out.force_n = most_n * across / slip;
+    stuck.apart_m = along * apart_m / r + kept * across / slip;
     out.lost_j = std::max(0.0, 0.5 * spring * (slip - kept) * (stuck.slip_m + kept));
     stuck.slip_m = kept;
     return out;

@@ -118,10 +118,8 @@ bool PairMagtticeContact::outdated() const {
     int moved = !renewed_ || neighbor->ago == 0 ? 1 : 0;
     const double most = 0.25 * law_.distance_m;
     for (std::size_t i = 0; moved == 0 && i < owned_.size(); ++i) {
-        const double* x = atom->x[owned_[i]];
-        const Vec3& then = renewed_at_m_[own_number_[i]];
-        const double way[3] = {x[0] - then[0], x[1] - then[1], x[2] - then[2]};
-        if (way[0] * way[0] + way[1] * way[1] + way[2] * way[2] > most * most) moved = 1;
+        const Vec3 way = vector_at(atom->x[owned_[i]]) - renewed_at_m_[own_number_[i]];
+        if (dot(way, way) > most * most) moved = 1;
     }
     if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_INT, MPI_MAX, world);
     return moved != 0;
@@ -183,9 +181,7 @@ void PairMagtticeContact::collect_candidates() {
     watched_.clear();
     NearPairs(x_, reach, period_m_)
         .visit([&](std::size_t a, std::size_t b, const Vec3& image_m) {
-            Vec3 there = x_[b];
-            for (std::size_t d = 0; d < 3; ++d) there[d] += image_m[d];
-            if (!(distance_m(x_[a], there) < reach)) return;
+            if (!(distance_m(x_[a], x_[b] + image_m) < reach)) return;
             const SurfaceNode& node_a = node_[surface_[a]];
             const SurfaceNode& node_b = node_[surface_[b]];
             if (!may_touch(node_a, node_b, image_m)) return;
@@ -200,18 +196,13 @@ void PairMagtticeContact::collect_candidates() {
     watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
 }
 
-double PairMagtticeContact::squared(const Vec3& v) {
-    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-}
-
 // Difference of place, from the (image of the) second node to the first.
 Vec3 PairMagtticeContact::apart_m(const Candidate& pair) const {
-    const Vec3 &a = x_[pair.a], &b = x_[pair.b], &by = pair.image_m;
-    return {a[0] - b[0] - by[0], a[1] - b[1] - by[1], a[2] - b[2] - by[2]};
+    return x_[pair.a] - x_[pair.b] - pair.image_m;
 }
 
 bool PairMagtticeContact::in_reach(const Vec3& apart) const {
-    const double r2 = squared(apart);
+    const double r2 = dot(apart, apart);
     return r2 < law_.distance_m * law_.distance_m && r2 != 0;
 }
 
@@ -220,7 +211,7 @@ void PairMagtticeContact::each_contact(const Act& act) const {
     for (const Candidate& pair : candidates_) {
         const Vec3 apart = apart_m(pair);
         if (!in_reach(apart)) continue;
-        act(pair, apart, std::sqrt(squared(apart)));
+        act(pair, apart, std::sqrt(dot(apart, apart)));
     }
 }
 
@@ -236,10 +227,9 @@ void PairMagtticeContact::compute(int eflag, int vflag) {
     each_contact([&](const Candidate& pair, const Vec3& apart, double distance) {
         const ContactForce contact = contact_force(law_, pair.areas_m4, distance);
         const double factor = contact.force_n / distance;
-        for (std::size_t d = 0; d < 3; ++d) {
-            if (pair.atom_a >= 0) f[pair.atom_a][d] += factor * apart[d];
-            if (pair.atom_b >= 0) f[pair.atom_b][d] -= factor * apart[d];
-        }
+        const Vec3 push = factor * apart;
+        if (pair.atom_a >= 0) add_to(f[pair.atom_a], push);
+        if (pair.atom_b >= 0) add_to(f[pair.atom_b], -push);
         if (pair.atom_a < 0) return;
         if (eflag_global != 0) eng_vdwl += contact.energy_j;
         if (vflag_global == 0) return;
@@ -260,10 +250,8 @@ void PairMagtticeContact::add_friction(bool energy) {
         const Vec3 apart = apart_m(pair);
         if (!stuck.held && !in_reach(apart)) continue;
         const PairFriction rubbing = pair_friction(law_, pair.areas_m4, apart, stuck);
-        for (std::size_t d = 0; d < 3; ++d) {
-            if (pair.atom_a >= 0) f[pair.atom_a][d] += rubbing.force_n[d];
-            if (pair.atom_b >= 0) f[pair.atom_b][d] -= rubbing.force_n[d];
-        }
+        if (pair.atom_a >= 0) add_to(f[pair.atom_a], rubbing.force_n);
+        if (pair.atom_b >= 0) add_to(f[pair.atom_b], -rubbing.force_n);
         if (pair.atom_a < 0) continue;
         slid_j_ += rubbing.lost_j;
         if (energy) eng_vdwl += stuck_energy_j(law_, pair.areas_m4, stuck);
@@ -348,8 +336,10 @@ PairMagtticeContact::State PairMagtticeContact::state() {
     State out;
     out.slid_j = slid_j_;
     out.smallest_m = INFINITY;
-    for (const Candidate& pair : candidates_)
-        out.smallest_m = std::min(out.smallest_m, std::sqrt(squared(apart_m(pair))));
+    for (const Candidate& pair : candidates_) {
+        const Vec3 apart = apart_m(pair);
+        out.smallest_m = std::min(out.smallest_m, std::sqrt(dot(apart, apart)));
+    }
     each_contact([&](const Candidate& pair, const Vec3&, double distance) {
         if (pair.atom_a < 0) return;
         out.touching += 1;

@@ -70,7 +70,6 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
     void collect_candidates();
     // Sets stuck_ from rows of kept_pairs(); false if a row belongs to no candidate.
     bool put_back(std::span<const double> rows);
-    static double squared(const Vec3& v);
     Vec3 apart_m(const Candidate& pair) const;
     // True for pairs closer than the contact distance, except at distance 0.
     bool in_reach(const Vec3& apart) const;

@@ -107,7 +107,7 @@ void FixMagtticePlatform::parse_plane(char** arg) {
              "found, both must be positive",
              id, length, arg[9]);
     }
-    for (double& component : platform_.normal) component /= length;
+    platform_.normal /= length;
 }
 
 void FixMagtticePlatform::parse_keywords(int narg, char** arg) {
@@ -187,10 +187,8 @@ void FixMagtticePlatform::add_forces(ContactOf&& contact_of) {
         normal_n_ += contact.normal_n;
         energy_j_ += contact.energy_j;
         slid_j_ += contact.slid_j;
-        for (std::size_t d = 0; d < 3; ++d) {
-            f[i][d] += contact.force_n[d];
-            force_n_[d] += contact.force_n[d];
-        }
+        add_to(f[i], contact.force_n);
+        force_n_ += contact.force_n;
     }
 }
 
@@ -224,12 +222,8 @@ double FixMagtticePlatform::compute_vector(int i) {
                             force_n_[0], force_n_[1], force_n_[2], slid_j_};
     MPI_Allreduce(mine, all, 8, MPI_DOUBLE, MPI_SUM, world);
     if (i != 1) return all[i];
-    double squared = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-        const double part = all[4 + d] - all[0] * platform_.normal[d];
-        squared += part * part;
-    }
-    return std::sqrt(squared);
+    const Vec3 along = vector_at(all + 4) - all[0] * platform_.normal;
+    return std::sqrt(dot(along, along));
 }
 
 void* FixMagtticePlatform::extract(const char* name, int& dimension) {

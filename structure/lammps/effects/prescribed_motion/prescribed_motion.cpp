@@ -8,6 +8,7 @@
 // atom's start, refuses reset_timestep, and has no phase and no ramp.)
 #include "atom.h"
 #include "error.h"
+#include "modify.h"
 #include "update.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,8 @@ class FixMagtticeMotion : public LAMMPS_NS::Fix {
   private:
     // Displacement or velocity of the course at the present step, or some steps ago.
     Vec3 of_course(Vec3 (*what)(const MotionCourse&, double time_s), int steps_ago) const;
+    // Fails if another fix integrates an atom of the group, which would move twice.
+    void refuse_integrated() const;
     // Sets the velocity of all atoms in the group.
     void set_velocity(const Vec3& velocity_m_s);
 
@@ -65,26 +68,36 @@ Vec3 FixMagtticeMotion::of_course(Vec3 (*what)(const MotionCourse&, double time_
     }
 }
 
+void FixMagtticeMotion::refuse_integrated() const {
+    for (int f = 0; f < modify->nfix; ++f) {
+        const LAMMPS_NS::Fix& other = *modify->fix[f];
+        if (other.time_integrate == 0) continue;
+        for (int i = 0; i < atom->nlocal; ++i) {
+            const int mask = atom->mask[i];
+            if ((mask & groupbit) != 0 && (mask & other.groupbit) != 0)
+                fail(*error,
+                     "fix {} magttice/motion and fix {} {} both move atom {}; leave the "
+                     "atoms of the first out of the other's group",
+                     id, other.id, other.style, atom->tag[i]);
+        }
+    }
+}
+
 // Velocities are set before the first forces are evaluated and before ghosts get theirs.
 void FixMagtticeMotion::init() {
+    refuse_integrated();
     set_velocity(of_course(velocity_m_s, 0));
 }
 
 // Forces see the mean velocity of the step, as they do for the atoms that velocity Verlet
 // has moved by half a step.
 void FixMagtticeMotion::initial_integrate(int) {
-    const Vec3 from = of_course(displacement_m, 1);
-    const Vec3 to = of_course(displacement_m, 0);
-    Vec3 gain{}, mean{};
-    for (std::size_t d = 0; d < 3; ++d) {
-        gain[d] = to[d] - from[d];
-        mean[d] = gain[d] / update->dt;
-    }
+    const Vec3 gain = of_course(displacement_m, 0) - of_course(displacement_m, 1);
     for (int i = 0; i < atom->nlocal; ++i) {
         if ((atom->mask[i] & groupbit) == 0) continue;
-        for (std::size_t d = 0; d < 3; ++d) atom->x[i][d] += gain[d];
+        add_to(atom->x[i], gain);
     }
-    set_velocity(mean);
+    set_velocity(gain / update->dt);
 }
 
 void FixMagtticeMotion::final_integrate() {
