@@ -4,6 +4,7 @@
 add_library(magfsi_openfoam_scene STATIC
   solvers/openfoam/engine_library.cpp
   solvers/openfoam/explain.cpp
+  solvers/openfoam/inlet.cpp
   solvers/openfoam/mesh.cpp)
 target_link_libraries(magfsi_openfoam_scene
   PUBLIC magfsi_run_scene PRIVATE fmt::fmt ${CMAKE_DL_LIBS})
@@ -13,7 +14,6 @@ add_library(magfsi_openfoam_participant STATIC
   solvers/openfoam/case.cpp
   solvers/openfoam/flow.cpp
   solvers/openfoam/foam_fluid.cpp
-  solvers/openfoam/inlet.cpp
   solvers/openfoam/world_of_openfoam.cpp)
 target_link_libraries(magfsi_openfoam_participant
   PUBLIC magfsi_fluid_participant magfsi_openfoam_scene PRIVATE fmt::fmt)

@@ -94,7 +94,7 @@ TEST(MeshEstimate, OfATableOfMagnetizationIsThatOfItsBody) {
         ASSERT_EQ(told.not_made, "");
         // The coarse one is refined in both; the fine one's reference is its own mesh.
         EXPECT_NEAR(told.largest, same.largest, elements[0] == 8 ? 1e-9 : 0.04);
-        EXPECT_LT(told.largest, 0);
+        EXPECT_GT(std::abs(told.largest), 0.01);  // an error there is, on both
     }
 }
 
