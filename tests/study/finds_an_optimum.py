@@ -114,7 +114,7 @@ class Finds(unittest.TestCase):
                         "[18, 4, 1]}}\ncheck: {set: {bodies.beam.element: full}}\n")
         done = search.good_run()
         self.assertIn("| finer | bar |", done.out)
-        self.assertRegex(done.out, r"with `bodies\.beam\.element: full`: 0\.00\d+\.")
+        self.assertRegex(done.out, r"with `bodies\.beam\.element: full`: \d\.\d+e-05\.")
 
     def test_a_short_version_of_it(self):
         search = Search(SHORT + "finer: {best: 2, set: {bodies.beam.mesh.box.elements: [18, 4, 1]}}\n"
