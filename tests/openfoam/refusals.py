@@ -35,6 +35,8 @@ class Refusals(unittest.TestCase):
         self.refused({"fluid.grading.uniform": "[[1 mm, 1 mm, 1 mm], [9 mm, 3 mm, 5 mm]]"},
                      "uniform", "along x")
 
+    @unittest.skipUnless((testing.BIN.parent / "lib/libmagfsi_openfoam_engine.so").exists(),
+                         "this build has no OpenFOAM")
     def test_an_opening_between_the_centres_of_faces(self):
         self.refused({"fluid.boundaries.x_min": "{velocity_inlet: {velocity: [1 mm/s, 0 m/s, 0 m/s], "
                                                 "disc: {centre: [2 mm, 2 mm], diameter: 0.3 mm}}}",
