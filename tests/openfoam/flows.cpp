@@ -37,10 +37,17 @@ scene::Fluid box(int cells) {
     return fluid;
 }
 
+// Folder of a case. The tests of other numbers of ranks may run at the same time.
+std::filesystem::path case_folder(const std::string& name) {
+    int ranks = 0;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    return std::filesystem::current_path() / (name + "_on_" + std::to_string(ranks));
+}
+
 // Energy left at the end over that at the start.
 double openfoam_energy(int cells) {
     const double step_s = 0.2 * length_m / cells / speed_m_s;
-    const auto folder = std::filesystem::current_path() / "taylor_green_case";
+    const auto folder = case_folder("taylor_green");
     openfoam::FoamFluid fluid(MPI_COMM_WORLD, box(cells), step_s, folder);
     fluid.start_from(&flow);
     const double start = fluid.totals().kinetic_energy_j;
@@ -110,7 +117,7 @@ double share(int distance) {
 
 // Largest speed after ten steps, over what the force would give a free fluid.
 double speed_across(std::size_t axis) {
-    const auto folder = std::filesystem::current_path() / "layer_of_force_case";
+    const auto folder = case_folder("layer_of_force");
     openfoam::FoamFluid fluid(MPI_COMM_WORLD, closed_box(), step_s, folder);
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -275,59 +275,6 @@ def obstacles_alone(f):
                                "block": {"box": block_at}}))
 
 
-def star_surface(f, arms, thickness):
-    """STL file of a star with four pointed arms of these lengths, in mm by its own axes."""
-    east, north, west, south = arms
-    outline = [(east, -0.2), (east, 0.2), (0.4, 0.4), (0.2, north), (-0.2, north), (-0.4, 0.4),
-               (-west, 0.2), (-west, -0.2), (-0.4, -0.4), (-0.2, -south), (0.2, -south), (0.4, -0.4)]
-    triangles = []
-    for (ax, ay), (bx, by) in zip(outline, outline[1:] + outline[:1]):
-        a, b, c, d = (ax, ay, 0), (bx, by, 0), (bx, by, thickness), (ax, ay, thickness)
-        triangles += [((0, 0, thickness), d, c), ((0, 0, 0), b, a), (a, b, c), (a, c, d)]
-    path = f"{testing.new_folder()}/star.stl"
-    with open(path, "w") as file:
-        print("solid star", file=file)
-        for corners in triangles:
-            print("facet normal 0 0 0\nouter loop", file=file)
-            for x in corners[::f.turn]:
-                print("vertex", *map(repr, f.direction(x)), file=file)
-            print("endloop\nendfacet", file=file)
-        print("endsolid star", file=file)
-    return {"voxels": {"file": path, "unit": f.mm(1), "spacing": f.mm(0.1)}}
-
-
-def plus_of_hexahedra(f, arms, thickness, layers):
-    """Gmsh file of a plus with four arms of these lengths."""
-    cell, half = 0.2, 2  # mm, cells
-    east, north, west, south = (round(arm / cell) for arm in arms)
-    numbers, elements = {}, []
-    for i, j, k in itertools.product(range(-west, east), range(-south, north), range(layers)):
-        if -half <= i < half or -half <= j < half:
-            corners = [(i + a, j + b, k + c) for c in (0, 1)
-                       for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
-            if f.turn < 0:
-                corners = corners[4:] + corners[:4]
-            elements.append([numbers.setdefault(x, len(numbers) + 1) for x in corners])
-    path = f"{testing.new_folder()}/plus.msh"
-    with open(path, "w") as file:
-        print("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes", file=file)
-        print(len(numbers), file=file)
-        for (i, j, k), number in numbers.items():
-            at = f.direction([cell * i, cell * j, thickness / layers * k])
-            print(number, *map(repr, at), file=file)
-        print("$EndNodes\n$Elements", file=file)
-        print(len(elements), file=file)
-        for number, nodes in enumerate(elements, 1):
-            print(number, "5 2 1 1", *nodes, file=file)
-        print("$EndElements", file=file)
-    return {"gmsh": {"file": path, "unit": f.mm(1)}}
-
-
-def from_a_file(f, mesh, position, magnetization):
-    body = block(f, [1, 1, 1], [1, 1, 1], position, magnetization)
-    return body | {"mesh": mesh}
-
-
 def inlet(shape, profile):
     """An oblique inlet over a part of a side beside a lid that moves towards it."""
     def make(f):
@@ -434,57 +381,6 @@ def scaled(name):
             self.assertEqual(math.frexp(abs(factor))[0], 0.5, f"{column}: {factor}")
     return test
 
-
-def four_arms(mesh, forcing):
-    """Of a body in a field along its axis, each arm with a magnetization outwards: its tips."""
-    def arm(x, y):
-        low, high = ((0.4, -0.4), (2, 0.4)) if x or y else ((-2, -2), (2, 2))
-        corners = [(x * a - y * b, y * a + x * b) if x or y else (a, b) for a, b in (low, high)]
-        return {"box": [[f"{value} mm" for value in (*map(end, zip(*corners)), 9 * sign)]
-                        for end, sign in ((min, -1), (max, 1))],
-                "vector": [f"{30 * x} kA/m", f"{30 * y} kA/m", "0 kA/m"]}
-    f = Frame((5, 5, 4))
-    ways = {"east": (1, 0), "north": (0, 1), "west": (-1, 0), "south": (0, -1)}
-    body = from_a_file(f, mesh(f), [2.5, 2.5, 2], (0, 0, 0))
-    body["magnetization"] = {"domains": [arm(*way) for way in (*ways.values(), (0, 0))]}
-    points = {name: {"body": "body", "at": f.moved([1.4 * x, 1.4 * y, 0.1])}
-              for name, (x, y) in ways.items()}
-    path = f"{testing.new_folder()}/scene.yaml"
-    with open(path, "w") as file:
-        json.dump(scene(f, 1, 0.25, bodies={"body": body}, probes={"points": points},
-                        coupling={"immersed_boundary": {"forcing": forcing}},
-                        magnetic_field={"vector": f.field([0, 0, 5])},
-                        fluid=fluid(f, 0.25, 1, 0.1, NO_SLIP)), file)
-    probes = testing.good_run(path).probes()
-    tips = {}
-    for name, (x, y) in ways.items():
-        ux, uy, uz = (probes[f"{name}_u{axis}[m]"] for axis in AXES)
-        tips[name] = {"out_x[m]": [x * a + y * b for a, b in zip(ux, uy)],
-                      "out_y[m]": [x * b - y * a for a, b in zip(ux, uy)], "out_z[m]": uz}
-    return tips
-
-
-def equal_arms(mesh, forcing):
-    def test(self):
-        tips = four_arms(mesh, forcing)
-        still = {column: [0.0] * len(values) for column, values in tips["east"].items()}
-        self.assertGreater(testing.worst_difference(tips["east"], still)[0], 0.99)
-        for name, tip in tips.items():
-            aside = tip | {"out_y[m]": [-v for v in tip["out_y[m]"]]}
-            self.compare("four arms", f"{name} of {forcing}", tips["east"], tip)
-            self.compare("four arms", f"{name} of {forcing}, mirrored in itself", tip, aside)
-    return test
-
-
-ARMS = {
-    "surface": lambda f: star_surface(f, (1.5,) * 4, 0.2),
-    "thick_surface": lambda f: star_surface(f, (1.5,) * 4, 0.7),
-    "hexahedra": lambda f: plus_of_hexahedra(f, (1.4,) * 4, 0.2, 1),
-    "hexahedra_in_two_layers": lambda f: plus_of_hexahedra(f, (1.4,) * 4, 0.2, 2),
-}
-# Markers of no_slip on bodies from files are thinned out one after the other, which has no symmetry.
-for _name, _mesh in ARMS.items():
-    setattr(Relations, f"test_four_arms_of_{_name}_by_penalty", equal_arms(_mesh, "penalty"))
 
 for _name in SCENES:
     for _test in (moved, split, scaled):
