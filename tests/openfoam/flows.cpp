@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string>
 #include "adapters/solvers/openfoam/foam_fluid.h"
 #include "fluid_lbm/fluid.h"
 
