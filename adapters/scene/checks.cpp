@@ -241,7 +241,8 @@ void check_scene(const Scene& scene, const Marks& marks) {
     check_files(scene, marks);
     check_bodies(scene, marks);
     check_loads(scene, marks);
-    check_fluid(scene, marks);
+    if (scene.fluid) check_fluid(scene, marks);
+    check_step(scene, marks);
     check_probes(scene, marks);
     check_checkpoint(scene, marks);
     require_with(!scene.accuracy || scene.probes, marks.key({"accuracy"}), "accuracy",

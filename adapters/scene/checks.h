@@ -86,8 +86,10 @@ void check_files(const Scene& scene, const Marks& marks);
 void check_bodies(const Scene& scene, const Marks& marks);
 // Field, control, gravity, platform, contact, paths of equilibria, coupling.
 void check_loads(const Scene& scene, const Marks& marks);
-// Box, spacing, boundaries, refinement, solver, coupled step, relaxation time.
+// Box, spacing, boundaries, refinement, solver; only for a scene with a fluid.
 void check_fluid(const Scene& scene, const Marks& marks);
+// Length of the coupled step, speeds in cells per step, relaxation time.
+void check_step(const Scene& scene, const Marks& marks);
 // Scenes whose steps a retry may halve.
 void check_retry(const Scene& scene, const Marks& marks);
 // Laws, sources and gradient; also called for fields that a controller returns.

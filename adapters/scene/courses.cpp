@@ -138,7 +138,7 @@ void read_field_files(Scene& scene, const Marks& marks) {
                               "file"}));
 }
 
-// The peak factor bounds the velocity, which check_fluid compares with the lattice's
+// The peak factor bounds the velocity, which check_step compares with the lattice's
 // limit.
 void complete_inlets(Scene& scene, const Marks& marks) {
     if (!scene.fluid) return;
