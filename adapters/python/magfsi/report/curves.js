@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which curves there are of the probes, what each is, and what is no curve: constants and rounding.
+// The curves of a run's probes with their explanations. Constants and rounding noise become a line of text.
 
 const ROUNDING = 1e-6; // of the largest value on the same axis: no eye sees less
 const NOTHING = 1e-12; // of a quantity without unit: two sums of the same terms differ by as much
 
-// What the last word of a column says (docs/probes.md).
+// Explanations by the last word of a column's name (docs/probes.md).
 const WORDS = {
   field: "applied field, the same everywhere", com: "centre of mass, from the start", speed: "velocity of the centre of mass",
   end_to_end: "distance of the ends of the centre line", mid_rise: "height of the middle over the line between the ends",
@@ -39,7 +39,7 @@ function spread(values) { // [lowest, highest]
 
 const largest = values => Math.max(0, ...spread(values).filter(isFinite).map(Math.abs));
 
-// What lines are drawn over: what was varied, where all runs have it, else the time.
+// The horizontal axis: the quantity that was varied, if all runs have the same, else the time.
 function axisOf(runs) {
   const name = runs[0].load?.name;
   return name && runs.every(run => run.load?.name === name) ? { ...runs[0].load, of: run => run.x } : { name: "time", unit: "s", of: run => run.t };
@@ -69,7 +69,7 @@ function panels(allRuns) {
       const whole = all.find(l => !l.part), again = l => l.part && whole && l.values.every((v, i) => Math.abs(v - whole.values[i]) <= ROUNDING * scale);
       const lines = all.filter(l => !again(l)), curves = lines.filter(l => {
         const [low, high] = spread(l.values);
-        // Of a place, rounding is that of the place; single precision keeps seven digits.
+        // A change of place is compared with the place itself, of which single precision keeps seven digits.
         return high - low > Math.max((l.place ? 1e-9 : ROUNDING) * scale, 3e-7 * largest(l.values));
       });
       for (const l of lines) if (!curves.includes(l)) constants.push({ r, name: `${l.place ? "Δ " : ""}${plain(l.name)}`,

@@ -250,7 +250,7 @@ function go(time) {
   drawn.forEach(panel => panel.draw(now));
 }
 
-// To the next stored instant, or the one before.
+// Goes to the next stored instant, or to the one before.
 function step(by) {
   const times = shownRun.bodies?.times || shownRun.t || [0], slack = 1e-6 * end;
   go(by > 0 ? times.find(t => t > now + slack) ?? end : [...times].findLast?.(t => t < now - slack) ?? 0);

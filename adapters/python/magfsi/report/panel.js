@@ -4,7 +4,7 @@
 const DASHES = [[], [6, 3], [2, 2]];
 const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-// Of each curve the point nearest to the pointer: runs have instants of their own.
+// Finds on each curve the point nearest to the pointer, since runs have different instants.
 Chart.Interaction.modes.ofEach = (chart, event) => {
   const at = chart.scales.x.getValueForPixel(event.x), found = [];
   chart.getSortedVisibleDatasetMetas().forEach(meta => {
