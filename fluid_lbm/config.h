@@ -29,6 +29,8 @@ struct FluidConfig : Options {
     // takes a collision whose boundary layer at a body does not depend on the time step.
     bool holds_no_slip = false;
     double expected_speed_m_s = 0;  // largest expected speed [m/s]; 0: not known
+    // False if plane_flow() is never called: what obstacles add to it is not prepared.
+    bool measures_planes = true;
     // True for a patch of a refined grid: its obstacles may lie outside its box.
     bool is_patch = false;
     // For a patch: length of the whole domain along each periodic axis, in cells of the

@@ -234,7 +234,7 @@ Obstacles::Obstacles(const FluidConfig& config, const Solids& solids,
     : map_(config, solids, owned),
       links_(cut_links(config, map_, solids, populations, layout)),
       impulses_(solids.size() + 1) {
-    if (!config.is_patch) shares_ = find_shares(map_, solids, layout);
+    if (config.measures_planes) shares_ = find_shares(map_, solids, layout);
     find_rows(layout);
 }
 

@@ -143,8 +143,7 @@ class Obstacles {
     // shares its region with coarser or finer ones.
     void count_only(const std::function<bool(const Cell& local)>& counts);
 
-    // Shares of this rank's cells; none in a patch of a refined grid, which no plane
-    // asks.
+    // Shares of this rank's cells; empty unless FluidConfig::measures_planes.
     const std::vector<SurfaceShare>& surface_shares() const { return shares_; }
 
     // The solid cells of this rank as rows of local indices.

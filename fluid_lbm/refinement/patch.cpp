@@ -81,6 +81,7 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
     config.spacing_m = std::ldexp(coarse.spacing_m, -level);
     config.time_step_s = std::ldexp(coarse.time_step_s, -level);
     config.is_patch = true;
+    config.measures_planes = false;  // planes are measured on the coarsest level
     Vec3 origin_m{};
     for (int d = 0; d < 3; ++d) {
         config.box_period[d] = periodic_axes(coarse)[d] ? place.domain[d] : 0;

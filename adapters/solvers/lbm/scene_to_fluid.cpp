@@ -49,6 +49,10 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s) {
     config.holds_no_slip = scene.coupling && scene.coupling->immersed_boundary.forcing ==
                                                  coupler::Forcing::no_slip;
     config.expected_speed_m_s = fluid.expected_speed_m_s;
+    config.measures_planes =
+        scene.probes && std::ranges::any_of(scene.probes->integrals, [](const auto& one) {
+            return std::holds_alternative<scene::FluidPlane>(one.over);
+        });
     if (fluid.taylor_green) start_as_taylor_green(config, fluid);
     return config;
 }
