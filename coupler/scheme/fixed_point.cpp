@@ -77,9 +77,7 @@ void FixedPoint::begin_step(std::span<const Vec3> now, std::span<const Vec3> bef
     iteration_ = 0;
     std::ranges::copy(now, guess_.begin());
     if (setting_.iteration.initial_guess == InitialGuess::constant) return;
-    for (std::size_t m = 0; m < guess_.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d) guess_[m][d] += now[m][d] - before[m][d];
-    }
+    for (std::size_t m = 0; m < guess_.size(); ++m) guess_[m] += now[m] - before[m];
 }
 
 double FixedPoint::measure(std::span<const double> answer) const {

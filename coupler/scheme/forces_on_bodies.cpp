@@ -13,10 +13,6 @@ std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
     return sum;
 }
 
-void add_to(Vec3& sum, const Vec3& force) {
-    for (std::size_t d = 0; d < 3; ++d) sum[d] += force[d];
-}
-
 }  // namespace
 
 // Force of the fluid on the body at a marker [N]: the reaction to its impulses, the force
@@ -25,21 +21,18 @@ void add_to(Vec3& sum, const Vec3& force) {
 Vec3 StructureCoupling::force_on(std::size_t marker) const {
     const double step_s = step_.duration_s;
     const Vec3 velocity = at_marker(force_->markers()[marker], solver_.velocities());
-    Vec3 force = force_->enclosed().force()[marker];
-    for (std::size_t d = 0; d < 3; ++d) {
-        const double acceleration = (velocity[d] - start_velocity_[marker][d]) / step_s -
-                                    markers_.gravity_m_s2[d];
-        force[d] += markers_.off_nodes_kg[marker] * acceleration -
-                    force_->impulse()[marker][d] / step_s;
-    }
-    return force;
+    const Vec3 acceleration =
+        (velocity - start_velocity_[marker]) / step_s - markers_.gravity_m_s2;
+    return force_->enclosed().force()[marker] +
+           (markers_.off_nodes_kg[marker] * acceleration -
+            force_->impulse()[marker] / step_s);
 }
 
 std::vector<Vec3> StructureCoupling::force_on_bodies() {
     solver_.renew_ghost_velocities();
     std::vector<Vec3> sum(markers_.bodies);
     for (std::size_t m = 0; m < force_->markers().size(); ++m)
-        add_to(sum[force_->markers()[m].body], force_on(m));
+        sum[force_->markers()[m].body] += force_on(m);
     return over_ranks(std::move(sum), session_.world().local());
 }
 
@@ -49,8 +42,7 @@ std::vector<Vec3> StructureCoupling::torque_on_bodies() {
     for (std::size_t m = 0; m < force_->markers().size(); ++m) {
         const Marker& marker = force_->markers()[m];
         const Vec3 f = force_on(m), x = at_marker(marker, solver_.positions());
-        add_to(sum[marker.body], {x[1] * f[2] - x[2] * f[1], x[2] * f[0] - x[0] * f[2],
-                                  x[0] * f[1] - x[1] * f[0]});
+        sum[marker.body] += cross(x, f);
     }
     return over_ranks(std::move(sum), session_.world().local());
 }
@@ -59,7 +51,7 @@ std::vector<Vec3> StructureCoupling::force_on_parts() {
     solver_.renew_ghost_velocities();
     std::vector<Vec3> sum(markers_.parts.size());
     for (std::size_t p = 0; p < sum.size(); ++p) {
-        for (const std::size_t m : markers_.parts[p]) add_to(sum[p], force_on(m));
+        for (const std::size_t m : markers_.parts[p]) sum[p] += force_on(m);
     }
     return over_ranks(std::move(sum), session_.world().local());
 }

@@ -9,10 +9,8 @@ namespace magfsi::coupler {
 
 std::vector<Vec3> MarkerStep::mean_velocity() const {
     std::vector<Vec3> all(now_m.size());
-    for (std::size_t m = 0; m < all.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d)
-            all[m][d] = (now_m[m][d] - before_m[m][d]) / duration_s;
-    }
+    for (std::size_t m = 0; m < all.size(); ++m)
+        all[m] = (now_m[m] - before_m[m]) / duration_s;
     return all;
 }
 
@@ -84,14 +82,12 @@ void NoSlipForcing::add_to_answer(TaskList& tasks) {
 void NoSlipForcing::take_answer() {
     const std::span<const Vec3> felt = step_.last_velocity;
     const double half_m3_kg = 0.5 / scale_.fluid_density_kg_m3;
+    const Vec3 of_all = half_m3_kg * step_.duration_s * body_force_n_m3_;
+    const std::span<const Vec3> given = this->given();
     std::vector<Vec3> uneven(felt.size());
     for (std::size_t m = 0; m < felt.size(); ++m) {
         const double even = half_m3_kg * answer_.row_sum[m] / volume_m3_[m];
-        for (std::size_t d = 0; d < 3; ++d) {
-            const double of_all = half_m3_kg * step_.duration_s * body_force_n_m3_[d];
-            uneven[m][d] =
-                even * given()[m][d] - (answer_.passed[m][d] - of_all - felt[m][d]);
-        }
+        uneven[m] = even * given[m] - (answer_.passed[m] - of_all - felt[m]);
     }
     memory_.add(step_.mean_velocity(), answer_.passed, uneven);
     divide_by_row_sums();

@@ -48,10 +48,8 @@ class SerialStructure final : public StructureCoupling {
     // fluid's velocity.
     void extrapolate_velocity() {
         std::vector<Vec3> end = step_.fluid_velocity;
-        for (std::size_t m = 0; m < end.size(); ++m) {
-            for (std::size_t d = 0; d < 3; ++d)
-                end[m][d] += step_.fluid_velocity[m][d] - step_.last_velocity[m][d];
-        }
+        for (std::size_t m = 0; m < end.size(); ++m)
+            end[m] += step_.fluid_velocity[m] - step_.last_velocity[m];
         force_->begin_step(step_.fluid_velocity);
         force_->let_change(step_.fluid_velocity, end);
     }
@@ -168,18 +166,14 @@ class ImplicitStructure final : public StructureCoupling {
                                       : fitted::drawn_back_penalty;
         std::vector<Vec3> start = step_.fluid_velocity, end(guess.begin(), guess.end());
         for (std::size_t m = 0; m < start.size(); ++m) {
-            for (std::size_t d = 0; d < 3; ++d) {
-                const double back = drawn_back * (end[m][d] - 2 * start[m][d] +
-                                                  step_.last_velocity[m][d]);
-                start[m][d] -= back;
-                end[m][d] -= back;
-            }
+            const Vec3 back =
+                drawn_back * (end[m] - 2.0 * start[m] + step_.last_velocity[m]);
+            start[m] -= back;
+            end[m] -= back;
         }
         if (extrapolates()) return force_->let_change(start, end);
-        for (std::size_t m = 0; m < start.size(); ++m) {
-            for (std::size_t d = 0; d < 3; ++d)
-                start[m][d] = 0.5 * (start[m][d] + end[m][d]);
-        }
+        for (std::size_t m = 0; m < start.size(); ++m)
+            start[m] = 0.5 * (start[m] + end[m]);
         force_->hold(start);
     }
 

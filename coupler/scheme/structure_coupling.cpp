@@ -158,8 +158,7 @@ void StructureCoupling::shorten_last_step(double part) {
     const auto closer = [&](std::span<Vec3> last) {
         for (std::size_t m = 0; m < last.size(); ++m) {
             const Vec3& now = step_.fluid_velocity[m];
-            for (std::size_t d = 0; d < 3; ++d)
-                last[m][d] = now[d] + part * (last[m][d] - now[d]);
+            last[m] = now + part * (last[m] - now);
         }
     };
     closer(force_->enclosed().last_velocity());

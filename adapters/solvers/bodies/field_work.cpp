@@ -28,9 +28,7 @@ std::vector<Vec3> FieldForces::at(std::span<const Vec3> nodes_m, double time_s,
                                   const std::optional<Vec3>& uniform_t) const {
     const Vec3 field_t = uniform_t ? *uniform_t : structure::field_at(field_, time_s);
     std::vector<Vec3> out(nodes_m.size());
-    for (std::size_t n = 0; n < out.size(); ++n) {
-        for (std::size_t d = 0; d < 3; ++d) out[n][d] = charge_a_m_[n] * field_t[d];
-    }
+    for (std::size_t n = 0; n < out.size(); ++n) out[n] = charge_a_m_[n] * field_t;
     const double* x = nodes_m.front().data();
     if (gradient_)
         structure::add_gradient_forces(gradient_elements_, elements_, *gradient_, x,

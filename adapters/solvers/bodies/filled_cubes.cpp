@@ -29,8 +29,7 @@ std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
                                 const structure::VoxelMesh& voxels) {
     constexpr double rounding = 1e-5;  // a file has its lengths to seven digits
     std::array<int, 3> cubes{};
-    structure::Vec3 size_m;
-    for (std::size_t d = 0; d < 3; ++d) size_m[d] = bounds_m.high[d] - bounds_m.low[d];
+    const Vec3 size_m = bounds_m.high - bounds_m.low;
     double all = 1;
     for (std::size_t d = 0; d < 3; ++d) {
         const double extent = size_m[d] / voxels.spacing_m - rounding;
@@ -228,8 +227,7 @@ structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
         structure::voxel_mesh(cubes.count, voxels.spacing_m, cubes.filled);
     name_regions(mesh, weights(cubes, extent.volume_m3 / std::pow(voxels.spacing_m, 3)),
                  cubes, voxels.spacing_m);
-    for (structure::Vec3& x : mesh.nodes)
-        for (std::size_t d = 0; d < 3; ++d) x[d] -= surface.shift_m[d];
+    for (Vec3& x : mesh.nodes) x -= surface.shift_m;
     return mesh;
 }
 

@@ -213,8 +213,7 @@ void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
     for (const auto& p : structure::surface_points(mesh, surface, 0.5 * spacing_m)) {
         const auto nearest = bins.nearest(structure::position(mesh, p.point));
         const double area_m2 = faces * p.area_m2 / nearest.size();
-        for (const std::size_t marker : nearest)
-            for (std::size_t d = 0; d < 3; ++d) areas[marker][d] += area_m2 * p.normal[d];
+        for (const std::size_t marker : nearest) areas[marker] += area_m2 * p.normal;
     }
     for (const auto& [marker, area] : areas) set_area(markers[marker], mesh, area);
 }

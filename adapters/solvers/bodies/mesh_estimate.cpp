@@ -26,10 +26,6 @@ constexpr std::size_t most_elements = 6000;
 constexpr std::size_t most_refined = most_elements / 8;
 constexpr int samples_of_field = 200;
 
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
 // Loads of the estimate, also in words.
 struct Loads {
     structure::StaticLoads loads;
@@ -42,7 +38,7 @@ Loads loads_of(const scene::Scene& scene, const structure::Body& solid) {
     Loads out;
     if (scene.magnetic_field && !solid.magnetization_a_m.empty()) {
         out.loads.field_t = strongest_field_t(scene);
-        if (length(out.loads.field_t) > 0) out.words = "the strongest field";
+        if (norm(out.loads.field_t) > 0) out.words = "the strongest field";
     }
     const bool held = !solid.clamps.empty() || !solid.rollers.empty();
     if (held && scene.gravity) {
@@ -64,8 +60,7 @@ Vec3 at(const structure::Mesh& mesh, const std::vector<Vec3>& displacement_m,
     const structure::MaterialPoint place = structure::PointLocator(mesh).nearest(point_m);
     Vec3 out{};
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = displacement_m[place.node[a]];
-        for (std::size_t d = 0; d < 3; ++d) out[d] += place.weight[a] * node[d];
+        out += place.weight[a] * displacement_m[place.node[a]];
     }
     return out;
 }
@@ -77,7 +72,7 @@ Vec3 strongest_field_t(const scene::Scene& scene) {
     for (int i = 0; i <= samples_of_field; ++i) {
         const Vec3 field = structure::field_at(*scene.magnetic_field,
                                                scene.time.end_s * i / samples_of_field);
-        if (length(field) > length(strongest)) strongest = field;
+        if (norm(field) > norm(strongest)) strongest = field;
     }
     return strongest;
 }
@@ -146,8 +141,7 @@ Right extrapolated(const scene::Body& body, const structure::Body& solid,
     const auto right_at = [mesh = solid.mesh, coarse_mesh = coarse.mesh, here_m,
                            coarse_m](const Vec3& point_m) {
         Vec3 out = at(mesh, here_m, point_m);
-        const Vec3 v = at(coarse_mesh, coarse_m, point_m);
-        for (std::size_t d = 0; d < 3; ++d) out[d] += (out[d] - v[d]) / 3;
+        out += (out - at(coarse_mesh, coarse_m, point_m)) / 3.0;
         return out;
     };
     return {finer, here_m, right_at};
@@ -205,8 +199,9 @@ MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& b
         return {"not stable without loads", "", "", 0, {}};
     }
     MeshEstimate out{"", loads.words, right->words, 0, {}};
-    const auto farthest =
-        std::ranges::max_element(right->nodes_m, {}, length) - right->nodes_m.begin();
+    const auto farthest = std::ranges::max_element(
+                              right->nodes_m, {}, [](const Vec3& u) { return norm(u); }) -
+                          right->nodes_m.begin();
     const std::size_t node = farthest;
     const Vec3 largest_m = right->at_m(solid.mesh.nodes[node]);
     out.largest = structure::displacement_error(here_m[node], largest_m);
@@ -215,7 +210,7 @@ MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& b
         if (point.body != body.name) continue;
         const Vec3 right_m = right->at_m(point.at_m);
         // A point that hardly moves has no error to speak of.
-        if (length(right_m) < 0.01 * length(largest_m)) continue;
+        if (norm(right_m) < 0.01 * norm(largest_m)) continue;
         out.points.emplace_back(
             point.name,
             structure::displacement_error(at(solid.mesh, here_m, point.at_m), right_m));

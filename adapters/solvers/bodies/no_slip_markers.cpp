@@ -265,9 +265,9 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
     const structure::PointLocator locator(mesh);
     std::vector<PlacedMarker> points;
     for (const auto& p : structure::surface_points(mesh, surface, fine_m)) {
-        Vec3 x = structure::position(mesh, p.point);
-        for (std::size_t d = 0; d < 3; ++d) x[d] -= depth_m * p.normal[d];
-        points.push_back({locator.nearest(x), 0});
+        points.push_back(
+            {locator.nearest(structure::position(mesh, p.point) - depth_m * p.normal),
+             0});
     }
     draw_back(points, mesh, surface, depth_m - fine_m, fine_m);
     std::vector<PlacedMarker> volume;

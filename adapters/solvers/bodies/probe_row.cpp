@@ -187,13 +187,8 @@ void ProbeRow::add_magnetic_load(const scene::MagneticField& field, std::size_t 
                                                sample.nodes.position_m);
         Vec3 force{}, torque{};
         for (std::size_t n = 0; n < count; ++n) {
-            Vec3 arm = nodes_m[n];
-            for (std::size_t d = 0; d < 3; ++d) arm[d] -= centre[d];
-            const Vec3 turning = cross(arm, force_n[n]);
-            for (std::size_t d = 0; d < 3; ++d) {
-                force[d] += force_n[n][d];
-                torque[d] += turning[d];
-            }
+            force += force_n[n];
+            torque += cross(nodes_m[n] - centre, force_n[n]);
         }
         add(row, force);
         add(row, torque);
@@ -230,7 +225,7 @@ void ProbeRow::add_point(const scene::PointProbe& probe, const scene::Body& body
     group.add = [point, start_m, first_node](const ProbeSample& sample, Row& row) {
         const Vec3 now = position(point, sample.nodes.position_m, first_node);
         add(row, now);
-        for (std::size_t d = 0; d < 3; ++d) row.push_back(now[d] - start_m[d]);
+        add(row, now - start_m);
     };
 }
 
@@ -256,13 +251,10 @@ void ProbeRow::add_part(const std::string& name, const scene::BodyPart& part,
             const std::size_t n = first_node + i;
             const double m = share[i] * nodes.mass_kg[n];
             mass += m;
-            for (std::size_t d = 0; d < 3; ++d) {
-                moved[d] += m * (nodes.position_m[n][d] - start_m_[n][d]);
-                momentum[d] += m * nodes.velocity_m_s[n][d];
-            }
+            moved += m * (nodes.position_m[n] - start_m_[n]);
+            momentum += m * nodes.velocity_m_s[n];
         }
-        for (double& u : moved) u /= mass;
-        add(row, moved);
+        add(row, moved / mass);
         add(row, momentum);
         if (in_fluid) add(row, sample.force_on_parts_n.at(number));
     };

@@ -295,10 +295,7 @@ Solids to_bodies(const scene::Scene& scene) {
 
 std::optional<structure::Vec3> to_gravity(const scene::Scene& scene) {
     if (!scene.gravity) return std::nullopt;
-    structure::Vec3 g{};
-    for (std::size_t d = 0; d < 3; ++d)
-        g[d] = scene.gravity->acceleration_m_s2 * scene.gravity->direction[d];
-    return g;
+    return scene.gravity->acceleration_m_s2 * scene.gravity->direction;
 }
 
 }  // namespace magfsi::bodies

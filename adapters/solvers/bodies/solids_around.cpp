@@ -20,8 +20,7 @@ namespace {
 Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes_m) {
     Vec3 x{};
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = nodes_m[point.node[a]];
-        for (std::size_t d = 0; d < 3; ++d) x[d] += point.weight[a] * node[d];
+        x += point.weight[a] * nodes_m[point.node[a]];
     }
     return x;
 }

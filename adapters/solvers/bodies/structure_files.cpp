@@ -211,9 +211,7 @@ void StructureFiles::add_of_nodes(BodyField field, const scene::Scene& scene,
     auto& add = fields_.back().add;
     if (field == BodyField::displacement) {
         add = of_each_node([this](const NodalState& state, std::size_t n) {
-            Vec3 u = state.position_m[n];
-            for (std::size_t d = 0; d < 3; ++d) u[d] -= start_m_[n][d];
-            return u;
+            return state.position_m[n] - start_m_[n];
         });
     } else if (field == BodyField::velocity) {
         add = of_each_node(
