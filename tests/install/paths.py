@@ -185,7 +185,7 @@ class Paths(unittest.TestCase):
         text = (self.top / "neue szenen/mein_roboter/scene.yaml").read_text()
         self.assertIn("\nname: mein_roboter\n", text)
 
-    @unittest.skipUnless((testing.BIN / "magfsi-fluid-openfoam").exists(),
+    @unittest.skipUnless((testing.BIN.parent / "lib/libmagfsi_openfoam_engine.so").exists(),
                          "built without OpenFOAM (packages-optional.txt)")
     def test_openfoam(self):
         settings = {"fluid.solver": "openfoam", "fluid.obstacles": "null", "contact": "null",
