@@ -34,8 +34,8 @@ def write(stage, out, rate, seconds):
     _, said = process.communicate()
     if process.returncode != 0:
         beside.unlink(missing_ok=True)
-        raise RuntimeError(f"{out}: ffmpeg ended with code {process.returncode}: "
-                           f"{said.decode(errors='replace').strip()}")
+        says = "; ".join(said.decode(errors="replace").strip().splitlines())
+        raise RuntimeError(f"{out}: ffmpeg ended with code {process.returncode}: {says}")
     beside.replace(out)
     return count
 

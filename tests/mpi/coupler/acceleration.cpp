@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Aitken's factor on linear maps.
+// The accelerations on linear maps.
 #include "coupler/scheme/acceleration.h"
 
 #include <gtest/gtest.h>
 #include <mpi.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <vector>
 
 #include "coupler/scheme/least_squares.h"
@@ -121,6 +122,26 @@ TEST(Aitken, a_step_begins_no_bolder_than_the_user_says) {
     EXPECT_NEAR(aitken.omega(), 10, 1e-10);
     const auto error = errors(aitken, linear_map(1, 0.9, 0.9), 1);
     EXPECT_NEAR(error[1], 1 - 0.3 * 0.1, 1e-12);
+}
+
+// One step after a restart is that of an acceleration which was never interrupted.
+TEST(Accelerations, go_on_from_a_checkpoint_as_if_nothing_had_been) {
+    const LinearMap map = linear_map(6, -3, 0.7);
+    for (const auto method : {AccelerationMethod::aitken, AccelerationMethod::iqn_ils}) {
+        Iteration wanted;
+        wanted.acceleration = method;
+        wanted.reused_steps = 2;
+        wanted.relaxation = 1;  // more than the factors that Aitken finds
+        const auto whole_run = make_acceleration(MPI_COMM_WORLD, wanted);
+        errors(*whole_run, map, 5);
+        const auto resumed = make_acceleration(MPI_COMM_WORLD, wanted);
+        resumed->make_room(whole_run->numbers(), own(map.b).size());
+        const auto from = whole_run->vectors(), to = resumed->vectors();
+        ASSERT_EQ(from.size(), to.size());
+        for (std::size_t i = 0; i < to.size(); ++i)
+            std::ranges::copy(from[i], to[i].begin());
+        EXPECT_EQ(errors(*resumed, map, 3), errors(*whole_run, map, 3));
+    }
 }
 
 // The quasi-Newton acceleration on linear maps, where it must be exact after as many
