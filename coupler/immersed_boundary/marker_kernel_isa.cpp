@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Vectors (x, y, z) of nodes and markers are rows of four lanes. The sums over a marker's
-// nodes and over a node's markers have the order of the arrays, so lanes cannot be
-// markers or nodes without a change of the results.
+// A row of four lanes is the vector (x, y, z) of a node or a marker. With markers or nodes
+// as lanes the sums would have another order, and the results other last digits.
 #include "base/isa/simd.h"
 #include "coupler/immersed_boundary/marker_kernel.h"
 
