@@ -8,6 +8,57 @@
 
 namespace magfsi::coupler {
 
+namespace {
+
+constexpr std::array<MarkerKernel, 3> kernels{&sse2::apply_markers, &avx2::apply_markers,
+                                              &avx512::apply_markers};
+
+std::vector<int> nodes_of(std::span<const Marker> markers) {
+    std::vector<int> nodes;
+    for (const Marker& marker : markers)
+        nodes.insert(nodes.end(), marker.node.begin(), marker.node.end());
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
+// Number of the first markers that have the same nodes, at most most_in_run.
+std::size_t run_length(std::span<const Marker> markers) {
+    const std::size_t most = std::min<std::size_t>(markers.size(), most_in_run);
+    std::size_t length = 1;
+    while (length < most && markers[length].node == markers[0].node) ++length;
+    return length;
+}
+
+}  // namespace
+
+PackedMarkers::PackedMarkers(std::span<const Marker> markers, InstructionSet set)
+    : kernel_(kernels[static_cast<std::size_t>(set)]),
+      nodes_(nodes_of(markers)),
+      rows_(nodes_.size()) {
+    for (const Marker& marker : markers)
+        weights_.insert(weights_.end(), marker.weight.begin(), marker.weight.end());
+    for (std::size_t m = 0, length = 0; m < markers.size(); m += length) {
+        length = run_length(markers.subspan(m));
+        MarkerRun& run = runs_.emplace_back();
+        for (std::size_t a = 0; a < 8; ++a)
+            run.node[a] = &rows_[std::ranges::lower_bound(nodes_, markers[m].node[a]) -
+                                 nodes_.begin()];
+        const int count = static_cast<int>(length);
+        if (blocks_.empty() || blocks_.back().markers != count)
+            blocks_.push_back({count, 0});
+        ++blocks_.back().runs;
+    }
+}
+
+void PackedMarkers::substep(const MarkerValues& values, const double* nodal_velocity,
+                            double* nodal_force, double duration_s) {
+    const MarkerLayout layout{
+        nodes_.data(), rows_.data(),   static_cast<int>(nodes_.size()), weights_.data(),
+        runs_.data(),  blocks_.data(), static_cast<int>(blocks_.size())};
+    kernel_(layout, values, nodal_velocity, nodal_force, duration_s);
+}
+
 EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
                              const EnclosedFluidScale& scale)
     : scale_(scale),
@@ -59,12 +110,14 @@ void EnclosedFluid::follow(std::span<const Vec3> fluid_velocity) {
 }
 
 PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
-                           const Vec3& gravity_m_s2)
+                           const Vec3& gravity_m_s2, InstructionSet set)
     : markers_(std::move(markers)),
+      packed_(markers_, set),
       enclosed_(markers_, {scale.fluid_density_kg_m3, scale.coupled_step_s, gravity_m_s2,
                            scale.enclosed_follow}),
       coupled_step_s_(scale.coupled_step_s),
-      fluid_velocity_(markers_.size()),
+      fluid_velocity_(markers_.size() + 1),
+      enclosed_force_(markers_.size() + 1),
       impulse_(markers_.size()) {
     kappa_.reserve(markers_.size());
     for (const Marker& m : markers_)
@@ -76,6 +129,7 @@ void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
     std::fill(impulse_.begin(), impulse_.end(), Vec3{});
     change_.clear();
     enclosed_.begin_step(fluid_velocity);
+    std::ranges::copy(enclosed_.force(), enclosed_force_.begin());
 }
 
 void PenaltyForce::let_change(std::span<const Vec3> start, std::span<const Vec3> end) {
@@ -92,21 +146,17 @@ void PenaltyForce::hold(std::span<const Vec3> fluid_velocity) {
 // The middle of the substep makes the mean of U over the step that of its line.
 void PenaltyForce::follow(double duration_s) {
     const double part = (elapsed_s_ + 0.5 * duration_s) / coupled_step_s_;
-    for (std::size_t m = 0; m < change_.size(); ++m)
-        fluid_velocity_[m] = start_[m] + part * change_[m];
+    const auto now = flat(fluid_velocity_), start = flat(start_), change = flat(change_);
+    for (std::size_t i = 0; i < change.size(); ++i) now[i] = start[i] + part * change[i];
     elapsed_s_ += duration_s;
 }
 
 void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
                          double duration_s) {
     if (!change_.empty()) follow(duration_s);
-    const auto enclosed = enclosed_.force();
-    for (std::size_t m = 0; m < markers_.size(); ++m) {
-        const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
-        const Vec3 given = kappa_[m] * (velocity - fluid_velocity_[m]);
-        impulse_[m] += given * duration_s;
-        to_nodes(markers_[m], enclosed[m] - given, nodal_force);
-    }
+    packed_.substep({kappa_.data(), flat(fluid_velocity_).data(),
+                     flat(enclosed_force_).data(), flat(impulse_).data()},
+                    nodal_velocity, nodal_force, duration_s);
 }
 
 }  // namespace magfsi::coupler

@@ -17,7 +17,9 @@
 #include <vector>
 
 #include "base/fitted/constants.h"
+#include "base/isa/instruction_set.h"
 #include "coupler/immersed_boundary/grid.h"
+#include "coupler/immersed_boundary/marker_kernel.h"
 #include "coupler/options.h"
 
 namespace magfsi::coupler {
@@ -62,6 +64,25 @@ inline void to_nodes(const Marker& marker, const Vec3& force, double* nodal) {
         add_to(f, marker.weight[a] * force);
     }
 }
+
+// The markers as the loop of every substep takes them (marker_kernel.h).
+class PackedMarkers {
+  public:
+    PackedMarkers(std::span<const Marker> markers, InstructionSet set);
+    PackedMarkers(const PackedMarkers&) = delete;  // runs_ points to rows_
+    PackedMarkers& operator=(const PackedMarkers&) = delete;
+
+    void substep(const MarkerValues& values, const double* nodal_velocity,
+                 double* nodal_force, double duration_s);
+
+  private:
+    MarkerKernel kernel_;
+    std::vector<int> nodes_;
+    std::vector<NodeRow> rows_;
+    std::vector<double> weights_;
+    std::vector<MarkerRun> runs_;
+    std::vector<RunBlock> blocks_;
+};
 
 // Quantities that EnclosedFluid needs; `follow` is the default for all markers.
 struct EnclosedFluidScale {
@@ -162,7 +183,7 @@ class PenaltyForce {
   public:
     // gravity_m_s2: zero if the scene has none.
     PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
-                 const Vec3& gravity_m_s2);
+                 const Vec3& gravity_m_s2, InstructionSet set = choose_instruction_set());
     virtual ~PenaltyForce() = default;
 
     const std::vector<Marker>& markers() const { return markers_; }
@@ -185,7 +206,9 @@ class PenaltyForce {
     void apply(const double* nodal_velocity, double* nodal_force, double duration_s);
 
     // U as the last substep used it [m/s].
-    std::span<const Vec3> fluid_velocity() const { return fluid_velocity_; }
+    std::span<const Vec3> fluid_velocity() const {
+        return std::span(fluid_velocity_).first(markers_.size());
+    }
 
     // Impulses that the markers gave to the fluid since begin_step [N s].
     std::span<const Vec3> impulse() const { return impulse_; }
@@ -201,10 +224,12 @@ class PenaltyForce {
     void follow(double duration_s);
 
     std::vector<Marker> markers_;
+    PackedMarkers packed_;
     EnclosedFluid enclosed_;
     double coupled_step_s_;
     double elapsed_s_ = 0;  // time since the start of the step
-    std::vector<Vec3> fluid_velocity_;
+    // U, and the enclosed fluid's forces in this step; one more of each for the kernel.
+    std::vector<Vec3> fluid_velocity_, enclosed_force_;
     std::vector<Vec3> start_, change_;  // U at the start, and its change; else empty
     std::vector<Vec3> impulse_;
 };

@@ -2,6 +2,7 @@
 // The forces between markers and the fluid: what one is given the other loses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -153,6 +154,46 @@ TEST(PenaltyForce, impulse_given_is_the_impulse_lost) {
     ASSERT_GT(largest, 0);
     for (std::size_t d = 0; d < 3; ++d) {
         EXPECT_NEAR(given[d], -lost[d], rounding * 30 * largest) << "axis " << d;
+    }
+}
+
+// Markers of which one to six that follow each other lie in the same element.
+std::vector<Marker> markers_in_elements(Random& random) {
+    std::vector<Marker> all;
+    for (const std::size_t count : {1, 1, 2, 6, 3, 3, 4, 1, 5}) {
+        std::vector<Marker> element = random_markers(random, count);
+        for (Marker& marker : element) {
+            marker.node = element[0].node;
+            marker.displaced_m3 = random.between(1e-12, 1e-11);
+            all.push_back(marker);
+        }
+    }
+    return all;
+}
+
+// The kernels neither change the order of the sums nor fuse products with them: equal
+// runs must give equal files on all machines.
+TEST(PenaltyForce, equals_a_plain_loop_over_the_markers_in_every_instruction_set) {
+    for (const InstructionSet set : available_instruction_sets()) {
+        Random random(34);
+        const auto markers = markers_in_elements(random);
+        PenaltyForce penalty(markers, scale, {0, 0, -9.81}, set);
+        const auto fluid = random.vectors(markers.size(), 0.5);
+        penalty.begin_step(fluid);
+        std::vector<Vec3> impulse(markers.size());
+        for (const double duration_s : {1e-6, 4e-6, 3e-6}) {
+            const auto velocity = random_nodal(random);
+            auto force = random_nodal(random), plain = force;
+            penalty.apply(velocity.data(), force.data(), duration_s);
+            for (std::size_t m = 0; m < markers.size(); ++m) {
+                const Vec3 given = scale.drag_coefficient_kg_s(markers[m].volume_m3) *
+                                   (at_marker(markers[m], velocity.data()) - fluid[m]);
+                impulse[m] += given * duration_s;
+                to_nodes(markers[m], penalty.enclosed().force()[m] - given, plain.data());
+            }
+            EXPECT_EQ(force, plain) << name(set);
+        }
+        EXPECT_TRUE(std::ranges::equal(penalty.impulse(), impulse)) << name(set);
     }
 }
 
