@@ -15,7 +15,8 @@ set(MAGFSI_MPI_ENVIRONMENT
 # (adapters/app/mpirun_guard.h), then what else is given.
 function(magfsi_mpi_environment test)
   set_property(TEST ${test} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT}
-    OMPI_MCA_orte_tmpdir_base=${CMAKE_BINARY_DIR}/mpi/${test} ${ARGN})
+    OMPI_MCA_orte_tmpdir_base=${CMAKE_BINARY_DIR}/mpi/${test}
+    PRTE_MCA_prte_tmpdir_base=${CMAKE_BINARY_DIR}/mpi/${test} ${ARGN})
 endfunction()
 
 # Test programs are compiled with -O1: a third less time to build, and the code under test is

@@ -174,7 +174,7 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     if (getppid() != launcher) _exit(1);
     sigprocmask(SIG_SETMASK, &signals, nullptr);
     set_mpirun_environment();
-    if (!session.empty()) setenv("OMPI_MCA_orte_tmpdir_base", session.c_str(), 1);
+    if (!session.empty()) setenv(session_variable(), session.c_str(), 1);
     dup2(error_pipe, STDERR_FILENO);
     std::vector<char*> words;
     for (const std::string& word : command)

@@ -54,11 +54,15 @@ void no_room(const char* what, const char* limit) {
                                          what, std::strerror(errno), limit));
 }
 
+const char* session_variable() {
+    return find_mpirun().version >= 5 ? "PRTE_MCA_prte_tmpdir_base"
+                                      : "OMPI_MCA_orte_tmpdir_base";
+}
+
 std::string session_folder() {
-    if (find_mpirun().version >= 5 || has_more_machines()) return "";
-    constexpr const char* base = "OMPI_MCA_orte_tmpdir_base";
+    if (has_more_machines()) return "";
     std::string folder = "/tmp";
-    for (const char* name : {"TMP", "TEMP", "TMPDIR", base})
+    for (const char* name : {"TMP", "TEMP", "TMPDIR", session_variable()})
         if (const char* chosen = std::getenv(name)) folder = chosen;
     std::error_code fault;  // mpirun says it, too
     fs::create_directories(folder, fault);

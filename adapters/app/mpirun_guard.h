@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Protection against two faults of Open MPI 4.1's mpirun: it may hang when its processes
-// have ended, and jobs that start and end at the same moment take the folder of their
-// own files from each other.
+// Protection against faults of Open MPI's mpirun: that of 4.1 may hang when its processes
+// have ended, and jobs may find the folder of their own files taken.
 #pragma once
 
 #include <sys/types.h>
@@ -14,11 +13,15 @@ namespace magfsi::launch {
 // command that shows the limit which was reached.
 [[noreturn]] void no_room(const char* what, const char* limit);
 
-// Makes the folder in which one mpirun keeps its own files. Two jobs that use the same
-// one fail ("A call to mkdir was unable to create the desired directory") when one of
-// them removes it while the other looks into it. Returns "" where mpirun's own choice is
-// better: with Open MPI 5, which has a folder for each job, and on several machines.
+// Makes the folder in which one mpirun keeps its own files. Otherwise jobs of Open MPI 4
+// share one, and fail when another job removes it at that moment ("A call to mkdir was
+// unable to create the desired directory"); one of Open MPI 5 is named after the process,
+// and fails where a killed job with the same number has left it ("PMIX_ERR_EXISTS").
+// Returns "", for mpirun's own choice, on several machines and where none can be made.
 std::string session_folder();
+
+// Name of the environment variable by which mpirun is told the folder.
+const char* session_variable();
 
 // Detects a hung mpirun as long as this launcher lives.
 class HungMpirun {

@@ -213,11 +213,11 @@ class Diverged(unittest.TestCase):
 class Mpirun(unittest.TestCase):
     SETTINGS = {"time.end": "1 ms", "checkpoint.every": "0.5 ms"}
 
-    def run_with(self, mpirun, folder, restart=None):
+    def run_with(self, mpirun, folder, restart=None, version="4.1.4"):
         """With this shell script for mpirun."""
         tools = Path(testing.new_folder())
         (tools / "mpirun").write_text(
-            f'#!/bin/sh\n[ "$1" != --version ] || {{ echo "mpirun (Open MPI) 4.1.4"; exit; }}\n{mpirun}\n')
+            f'#!/bin/sh\n[ "$1" != --version ] || {{ echo "mpirun (Open MPI) {version}"; exit; }}\n{mpirun}\n')
         (tools / "mpirun").chmod(0o755)
         with unittest.mock.patch.dict(os.environ, PATH=f"{tools}:{os.environ['PATH']}"):
             return testing.run(testing.SMALL, self.SETTINGS, limit_s=LIMIT_S, folder=folder,
@@ -238,14 +238,15 @@ class Mpirun(unittest.TestCase):
         self.assertEqual(run.summary()["outcome"], "lost_partner")
 
     def test_each_has_a_folder_of_its_own_that_goes_with_it(self):
-        """Jobs that shared one took it from each other at their start and end."""
-        seen = Path(testing.new_folder()) / "seen"
-        for _ in range(2):
-            self.run_with(f'[ ! -d "$OMPI_MCA_orte_tmpdir_base" ] || echo "$OMPI_MCA_orte_tmpdir_base" >>{seen}\n'
-                          "exit 1", testing.new_folder())
-        folders = seen.read_text().splitlines()
-        self.assertEqual(len(set(folders)), 2, folders)
-        self.assertFalse([each for each in folders if Path(each).exists()], folders)
+        """A shared one was taken by another job, one by the process's number left by a killed one."""
+        for version, name in ("4.1.4", "OMPI_MCA_orte_tmpdir_base"), ("5.0.7", "PRTE_MCA_prte_tmpdir_base"):
+            seen = Path(testing.new_folder()) / "seen"
+            for _ in range(2):
+                self.run_with(f'[ ! -d "${name}" ] || echo "${name}" >>{seen}\nexit 1', testing.new_folder(),
+                              version=version)
+            folders = seen.read_text().splitlines()
+            self.assertEqual(len(set(folders)), 2, folders)
+            self.assertFalse([each for each in folders if Path(each).exists()], folders)
 
 
 class BadInput(unittest.TestCase):
