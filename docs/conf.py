@@ -27,6 +27,7 @@ html_title = "magfsi"
 html_theme_options = {"dark_css_variables": theme.dark_colours()}
 html_static_path = ["site"]
 html_css_files = ["site.css"]
+html_search_scorer = str(TOP / "docs/site/scorer.js")
 html_show_sourcelink = False
 
 # Equations are drawn by Debian's MathJax 2, which make_site.py puts into the site: as SVG, for
@@ -38,7 +39,7 @@ myst_update_mathjax = False  # its settings are for MathJax 3
 mathjax2_config = {"config": ["TeX-AMS_SVG.js"], "showMathMenu": False, "messageStyle": "none",
                    "tex2jax": {"inlineMath": [["\\(", "\\)"]], "displayMath": [["\\[", "\\]"]],
                                "processClass": "math", "ignoreClass": "document"},
-                   "SVG": {"font": "TeX", "linebreaks": {"automatic": True}}}
+                   "SVG": {"font": "TeX", "scale": 92, "linebreaks": {"automatic": True}}}
 
 # Pages are those of readers; the tests' and adapters' own READMEs are for developers.
 exclude_patterns = ["adapters", "tests", "structure", "fluid_lbm", "coupler", "build", "runs",

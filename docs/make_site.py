@@ -111,12 +111,20 @@ def example_of(key, scenes):
     return min(found)[1:] if found else None
 
 
+def named(file):
+    """A scene's file in words."""
+    folder, stem = Path(file).parent.name, Path(file).stem.replace("_", " ")
+    if not file.startswith("tutorials"):
+        return f"example {stem}"
+    return f"tutorial {folder}" + ("" if stem == "scene" else f", {stem}")
+
+
 def scene_examples(schema):
     scenes = examples()
     lines = ["# An example of every key", "",
              "<!-- Made by docs/make_site.py. -->",
              "Each is a part of a scene that `check` calls good, which stands behind it. What a key means "
-             "and may be is in [scene.md](scene.md).", ""]
+             "and may be is in [the reference](scene.md).", ""]
     missing, part = [], None
     for key in dict.fromkeys(keys_of_schema(schema)):
         example = example_of(key, scenes)
@@ -126,7 +134,7 @@ def scene_examples(schema):
         if key[0] != part:
             part = key[0]
             lines += [f"## {part}", ""]
-        lines += [f"`{'.'.join(key)}` ([{example[0]}](../{example[0]}))", "", "```yaml",
+        lines += [f"`{'.'.join(key)}` ([{named(example[0])}](../{example[0]}))", "", "```yaml",
                   example[1].rstrip(), "```", ""]
     return "\n".join(lines), missing
 
@@ -134,8 +142,8 @@ def scene_examples(schema):
 def cpp_reference():
     lines = ["# C++ reference", "", "<!-- Made by docs/make_site.py. -->",
              "The headers of the installed libraries that programs begin with; all are below "
-             "`include/magfsi`. How they are used: [own_structure.md](own_structure.md), "
-             "[adding_a_fluid.md](adding_a_fluid.md).", ""]
+             "`include/magfsi`. How they are used: [own structures](own_structure.md), "
+             "[a fluid of one's own](adding_a_fluid.md).", ""]
     for title, headers in HEADERS.items():
         lines += [f"## {title}", ""]
         for header in headers:
