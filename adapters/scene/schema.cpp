@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "adapters/scene/keys.h"
 
@@ -190,23 +192,26 @@ or `N m`. Angles in a plane such as `xz` run from its first axis to its second.
 value removes the key, and items of a list are numbered from 0. Names under `bodies` and
 `probes.points` have no order: columns and files follow the alphabet.
 
-"one of these" marks alternatives, of which exactly one is there; "at most one of
-these" marks those of which none may be there as well.
+Below each key stands what its value may be, and whether it has a default or is required.
+"one of these" marks alternatives, of which exactly one is there; "at most one of these"
+those of which none may be there as well. Groups of keys are folded.
 
 `{x_min...z_max}` stands for each of the six sides: x_min, x_max, y_min, y_max, z_min, z_max.
 )";
 
-void add_rows(std::string& page, const Field& field, const std::string& path);
+// Groups of more keys than this have a heading and are folded: all keys at once are fifty
+// screens.
+constexpr std::size_t most_unfolded = 3;
 
-// Entry of the column "default" of the reference page.
+// Whether a key must be there and what it is without: "required", "default ...".
 std::string presence(const Field& field) {
-    if (!field.fallback.empty()) return fmt::format("`{}`", field.fallback);
+    if (!field.fallback.empty()) return fmt::format("default `{}`", field.fallback);
     if (field.presence == Presence::alternative) return "one of these";
     if (field.presence == Presence::optional_alternative) return "at most one of these";
     return field.presence == Presence::required ? "required" : "";
 }
 
-// Entry of the column "value" of the reference page.
+// What the value of a key may be.
 std::string value(const Field& field) {
     switch (field.kind) {
         case Kind::group:
@@ -220,6 +225,12 @@ std::string value(const Field& field) {
     }
 }
 
+// "required; map": a line in italics.
+std::string conditions(const Field& field) {
+    const std::string first = presence(field);
+    return fmt::format("*{}{}{}*", first, first.empty() ? "" : "; ", value(field));
+}
+
 // Path of a key's children: a name or an index stands between.
 std::string inner_path(const Field& field, const std::string& path) {
     if (field.kind == Kind::named) return path + ".NAME";
@@ -227,52 +238,90 @@ std::string inner_path(const Field& field, const std::string& path) {
     return path;
 }
 
-// A row of the page: key, value, default, meaning; then the rows of its children.
-void add_row(std::string& page, const Field& field, const std::string& path) {
-    page += fmt::format("| `{}` | {} | {} | {} |\n", path, value(field), presence(field),
-                        field.doc);
-    add_rows(page, field, inner_path(field, path));
+std::vector<std::string> items_of_children(const Field& field, const std::string& path);
+
+// The items of a key and of all below it. A list instead of a table, whose column of
+// paths alone is wider than a phone.
+std::vector<std::string> items_of(const Field& field, const std::string& path) {
+    std::vector<std::string> items{
+        fmt::format("- **`{}`**: {}\\\n  {}\n", path, field.doc, conditions(field))};
+    for (std::string& item : items_of_children(field, inner_path(field, path)))
+        items.push_back(std::move(item));
+    return items;
 }
 
 // True if two keys differ in nothing but their names, such as the sides of a box. They
-// share a row.
+// share their items.
 bool alike(const Field& a, const Field& b) {
-    if (a.children.empty() || a.doc != b.doc || a.fallback != b.fallback) return false;
-    std::string rows_a, rows_b;
-    add_rows(rows_a, a, "");
-    add_rows(rows_b, b, "");
-    return rows_a == rows_b;
+    return !a.children.empty() && a.doc == b.doc && a.fallback == b.fallback &&
+           items_of_children(a, "") == items_of_children(b, "");
 }
 
-// Adds a row for each key of the group, and rows for its children below it.
-void add_rows(std::string& page, const Field& field, const std::string& path) {
+// A key of a group with its path in which keys that are alike share a name.
+struct Entry {
+    const Field* field;
+    std::string path;
+};
+
+std::vector<Entry> entries_of(const Field& field, const std::string& path) {
+    std::vector<Entry> entries;
     for (std::size_t i = 0; i < field.children.size(); ++i) {
         const Field& child = field.children[i];
         std::string name = child.name;
         while (i + 1 < field.children.size() && alike(child, field.children[i + 1])) ++i;
         if (&child != &field.children[i])
             name = fmt::format("{{{}...{}}}", name, field.children[i].name);
-        add_row(page, child, path.empty() ? name : path + "." + name);
+        entries.push_back({&child, path.empty() ? name : path + "." + name});
     }
+    return entries;
 }
 
-constexpr std::string_view table_head =
-    "\n| key | value | default | meaning |\n|---|---|---|---|\n";
+std::vector<std::string> items_of_children(const Field& field, const std::string& path) {
+    std::vector<std::string> items;
+    for (const Entry& entry : entries_of(field, path))
+        for (std::string& item : items_of(*entry.field, entry.path))
+            items.push_back(std::move(item));
+    return items;
+}
+
+// A group below a heading of its own, folded; the summary has the names next below.
+std::string folded(const Entry& group) {
+    const std::string inner = inner_path(*group.field, group.path);
+    const auto items = items_of_children(*group.field, inner);
+    std::vector<std::string> names;
+    for (const Entry& entry : entries_of(*group.field, ""))
+        names.push_back(fmt::format("<code>{}</code>", entry.path));
+    return fmt::format(
+        "\n### {}\n\n{}\\\n{}\n\n<details>\n<summary>{} keys: {}</summary>\n\n{}\n"
+        "</details>\n",
+        group.path, group.field->doc, conditions(*group.field), items.size(),
+        fmt::join(names, ", "), fmt::join(items, ""));
+}
+
+// Keys of a section: small groups first, then each large one, folded.
+std::string section_keys(const Field& section) {
+    if (is_leaf(section))
+        return fmt::format("\n{}", fmt::join(items_of(section, section.name), ""));
+    std::string open, large;
+    for (const Entry& entry : entries_of(section, inner_path(section, section.name))) {
+        const auto items = items_of(*entry.field, entry.path);
+        if (items.size() > most_unfolded)
+            large += folded(entry);
+        else
+            open += fmt::format("{}", fmt::join(items, ""));
+    }
+    return (open.empty() ? "" : "\n" + open) + large;
+}
 
 }  // namespace
 
 // One section for each top-level key.
 std::string scene_reference_markdown() {
     std::string page(introduction);
-    for (const Field& section : scene_fields().children) {
-        page += fmt::format("\n## {}\n\n{}{}\n", section.name, section.doc,
-                            section.presence == Presence::required ? " Required." : "");
-        page += table_head;
-        if (is_leaf(section))
-            add_row(page, section, section.name);
-        else
-            add_rows(page, section, inner_path(section, section.name));
-    }
+    for (const Field& section : scene_fields().children)
+        page += fmt::format("\n## {}\n\n{}{}\n{}", section.name, section.doc,
+                            section.presence == Presence::required ? " Required." : "",
+                            section_keys(section));
     return page;
 }
 

@@ -64,7 +64,7 @@ def page(studies, causes):
     seconds = sum(float(r["core[s]"] or 0) for s in studies for r in s.rows)
     return "\n".join([
         "# The stability map in numbers", "",
-        "Written by `tests/stability/draw_map.py`; every run is a row of [cells.csv](cells.csv).",
+        "Written by `tests/stability/draw_map.py`; every run is a row of a [table](cells.csv).",
         f"Processor time of all runs: {seconds / 60:.0f} min.", "", *_totals(studies), "",
         "| cause of a stop | runs |", "|---|---|", *_causes(studies, causes), "",
         *_by_axis(studies), ""])

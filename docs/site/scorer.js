@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Of pages that have a word alike, the reference of scenes comes first, and last what is for developers:
+// Sphinx would go by the alphabet. The other numbers are its own.
+var Scorer = {
+  score: ([page, , , , score]) => score + (page === "docs/scene" ? 2 : 0) -
+    (/^(CHANGELOG|CONTRIBUTING)$|^docs\/(lab|adding_|cpp_|references|stability)/.test(page) ? 3 : 0),
+  objNameMatch: 11, objPartialMatch: 6, objPrio: { 0: 15, 1: 5, 2: -5 }, objPrioDefault: 0,
+  title: 15, partialTitle: 7, term: 5, partialTerm: 2,
+};
