@@ -72,7 +72,7 @@ def draw_shapes(axes, scene, found, faces, body, across=None):
     return across
 
 
-def draw_instants(axes, probes, found, across):
+def draw_instants(axes, probes, found, across, field=True):
     """A bar of the times, and the field at the last of them as an arrow with its value."""
     times = probes.per_second * np.array([t for t, _ in found])
     unit = probes.second
@@ -87,7 +87,7 @@ def draw_instants(axes, probes, found, across):
         bar.outline.set_linewidth(0.4)
         bar.set_label(f"{probes.axis[0]} [{unit}]" if unit else probes.axis[0], labelpad=-8)
     columns = {name: list(values) for name, values in probes.columns.items()}
-    field = data.uniform_field(probes.scene, columns) if columns else None
+    field = data.uniform_field(probes.scene, columns) if columns and field else None
     if field is None or not np.abs(field).max() > 0:
         return
     last = field[np.abs(probes.columns["t[s]"] - found[-1][0]).argmin()]
