@@ -27,8 +27,14 @@ class Labels:
         self.canvas = FigureCanvasAgg(self.figure)
         self.halo = [patheffects.withStroke(linewidth=3 * self.points(1), foreground="#ffffffb0")]
         self.below = 24.0  # of what stands next on the right, in units
-        self.time = self.text(24, 24, "", 17)
+        self.moving, self.still = [], None  # what each picture of a film has anew; the rest, drawn once
+        self.time = self._each_time(self.text(24, 24, "", 17))
         self.scale = None
+
+    def _each_time(self, artist):
+        artist.set_animated(True)
+        self.moving.append(artist)
+        return artist
 
     def points(self, units_):
         return units_ * self.unit * 72 / DPI
@@ -63,6 +69,7 @@ class Labels:
         for label in axes.get_xticklabels():
             label.set_path_effects(self.halo)
         self.below += 66
+        self.still = None
 
     def surfaces(self, title, unit, levels):
         """levels: [(value, colour, opacity)] of surfaces of an equal value."""
@@ -76,6 +83,7 @@ class Labels:
             handletextpad=0.5, labelcolor=INK)
         legend.get_title().set_path_effects(self.halo)
         self.below += 56
+        self.still = None
 
     def wheel(self, plane, largest, carried):
         """Colours of the directions in a plane."""
@@ -105,8 +113,9 @@ class Labels:
                                       alpha=0.5, **more))
         self.field = FancyArrowPatch(at, at, arrowstyle="-|>", color=FIELD, linewidth=self.points(2.6),
                                      mutation_scale=self.points(15), shrinkA=0, shrinkB=0, **more)
-        self.figure.add_artist(self.field)
-        self.strength = self.text(62, self.size[1] / self.unit - 124, "", 13, FIELD, ha="center", linespacing=1.3)
+        self.figure.add_artist(self._each_time(self.field))
+        self.strength = self._each_time(self.text(62, self.size[1] / self.unit - 124, "", 13, FIELD, ha="center",
+                                                  linespacing=1.3))
 
     def show_field(self, share, tesla):
         """share: of the largest value, to the right and up."""
@@ -122,15 +131,22 @@ class Labels:
         if self.scale is None:
             self.scale = matplotlib.lines.Line2D([], [], color=INK, linewidth=self.points(2.2), transform=None,
                                                  figure=self.figure, path_effects=self.halo, solid_capstyle="butt")
-            self.figure.add_artist(self.scale)
-            self.length = self.text(24, 66, "", 13)
+            self.figure.add_artist(self._each_time(self.scale))
+            self.length = self._each_time(self.text(24, 66, "", 13))
         x, y = 24 * self.unit, 58 * self.unit
         self.scale.set_data([x, x + size * pixels_a_metre], [y, y])
         self.length.set_text(units.with_unit(size, "m"))
 
     def over(self, pixels):
         """The picture (height, width, 3) with what is written."""
-        self.canvas.draw()
-        ours = np.asarray(self.canvas.buffer_rgba()).astype(np.float32)
-        share = ours[..., 3:] / 255
-        return np.round(pixels * (1 - share) + ours[..., :3] * share).astype(np.uint8)
+        if self.still is None:
+            self.canvas.draw()
+            self.still = self.canvas.copy_from_bbox(self.figure.bbox)
+        self.canvas.restore_region(self.still)
+        for artist in self.moving:
+            self.figure.draw_artist(artist)
+        ours, made = np.asarray(self.canvas.buffer_rgba()), pixels.copy()
+        written = ours[..., 3] > 0
+        share = ours[written][:, 3:].astype(np.float32) / 255
+        made[written] = np.round(pixels[written] * (1 - share) + ours[written][:, :3] * share)
+        return made

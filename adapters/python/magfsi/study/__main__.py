@@ -74,7 +74,7 @@ def _conclude(study, planned, results):
 def main():
     chosen = arguments()
     study = read_study(chosen.study)
-    if chosen.draw:
+    if chosen.draw and not chosen.list:
         from magfsi.study import figure
         figure.draw(study, tables.read_csv(study, chosen.draw / "runs.csv"), chosen.draw / "figure.png")
         print(chosen.draw / "figure.png")
