@@ -24,6 +24,5 @@ function(magfsi_python_test name)
   set_tests_properties(${name} PROPERTIES
     LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} COST ${arg_COST}
     RUN_SERIAL $<BOOL:${arg_SERIAL}>)
-  set_property(TEST ${name} PROPERTY ENVIRONMENT
-    ${MAGFSI_MPI_ENVIRONMENT} ${MAGFSI_PYTHON_ENVIRONMENT})
+  magfsi_mpi_environment(${name} ${MAGFSI_PYTHON_ENVIRONMENT})
 endfunction()

@@ -11,6 +11,13 @@ set(MAGFSI_MPI_ENVIRONMENT
   PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
   PRTE_MCA_hwloc_default_binding_policy=none PMIX_MCA_pmdl=^ompi)
 
+# Environment of one test, with a folder of its own for the files of mpirun
+# (adapters/app/mpirun_guard.h), then what else is given.
+function(magfsi_mpi_environment test)
+  set_property(TEST ${test} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT}
+    OMPI_MCA_orte_tmpdir_base=${CMAKE_BINARY_DIR}/mpi/${test} ${ARGN})
+endfunction()
+
 # Test programs are compiled with -O1: a third less time to build, and the code under test is
 # optimised all the same.
 set(MAGFSI_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
@@ -54,11 +61,11 @@ function(magfsi_unit_test name)
     SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES} GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 900)
-  set_property(TEST ${name} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
+  magfsi_mpi_environment(${name})
   if(arg_SMALL)
     add_test(NAME ${name}_small COMMAND ${name} --gtest_filter=${arg_SMALL})
     set_tests_properties(${name}_small PROPERTIES LABELS short TIMEOUT 300)
-    set_property(TEST ${name}_small PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
+    magfsi_mpi_environment(${name}_small)
   endif()
 endfunction()
 
@@ -94,7 +101,7 @@ function(magfsi_mpi_test name)
         --gtest_filter=${part}.*)
       set_tests_properties(${test} PROPERTIES
         LABELS "${arg_LABELS}" TIMEOUT 900 PROCESSORS ${cores})
-      set_property(TEST ${test} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
+      magfsi_mpi_environment(${test})
     endforeach()
   endforeach()
   if(arg_SMALL)
@@ -102,6 +109,6 @@ function(magfsi_mpi_test name)
     add_test(NAME ${name}_small COMMAND ${MPIEXEC_EXECUTABLE} -n ${ranks} $<TARGET_FILE:${name}>
       --gtest_filter=${arg_SMALL})
     set_tests_properties(${name}_small PROPERTIES LABELS short TIMEOUT 300)
-    set_property(TEST ${name}_small PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
+    magfsi_mpi_environment(${name}_small)
   endif()
 endfunction()

@@ -27,5 +27,7 @@ with_sources() {
 }
 with_sources update || true  # sources of other vendors may have no source packages
 cd "$folder"
-with_sources source --download-only "$2=$version"
+# Mirrors have been seen without Debian's own small files of a package (404); the upstream archive,
+# whose checksum apt has verified, is what is read.
+with_sources source --download-only "$2=$version" || ls "$folder/$2"_*.orig.tar.* >&2
 rm -rf "$apt"

@@ -2,6 +2,7 @@
 // Start and supervision of mpirun: signals are passed on to it, its error output is
 // filtered, and a hung mpirun is killed.
 #include "adapters/app/job.h"
+#include "adapters/app/mpirun_guard.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/fault.h"
 
@@ -20,16 +21,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
 
 namespace magfsi::launch {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -167,15 +164,17 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
 }
 
 // Turns the forked child into mpirun; never returns. `signals` is the signal mask to
-// restore.
-[[noreturn]] void become(const std::vector<std::string>& command, int error_pipe,
-                         pid_t launcher, const sigset_t& signals) {
+// restore, `session` the folder for mpirun's own files or "".
+[[noreturn]] void become(const std::vector<std::string>& command,
+                         const std::string& session, int error_pipe, pid_t launcher,
+                         const sigset_t& signals) {
     // mpirun gets SIGTERM when the launcher dies, and passes it on to all processes of
     // the job.
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != launcher) _exit(1);
     sigprocmask(SIG_SETMASK, &signals, nullptr);
     set_mpirun_environment();
+    if (!session.empty()) setenv("OMPI_MCA_orte_tmpdir_base", session.c_str(), 1);
     dup2(error_pipe, STDERR_FILENO);
     std::vector<char*> words;
     for (const std::string& word : command)
@@ -185,94 +184,6 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     std::fprintf(stderr, "magfsi: cannot start %s: %s\n", words[0], std::strerror(errno));
     _exit(127);
 }
-
-// Open MPI 4.1's mpirun may deadlock on its way out once all its processes are gone, seen
-// with jobs of 41 in one of twenty ends by SIGTERM. Against it, two watch: HungMpirun as
-// long as this launcher lives, MpirunGuard where it was killed.
-constexpr int hung_after_s = 10;
-
-// A process that has ended and was not waited for still has its entry, with state Z.
-bool lives(const std::string& pid) {
-    std::ifstream file("/proc/" + pid + "/stat");
-    std::string stat;
-    std::getline(file, stat);
-    const std::size_t name_end = stat.rfind(") ");
-    return name_end != std::string::npos && stat.substr(name_end + 2, 1) != "Z";
-}
-
-bool has_living_children(pid_t pid) {
-    std::error_code gone;
-    const fs::directory_iterator threads(fmt::format("/proc/{}/task", pid), gone);
-    return std::ranges::any_of(threads, [](const fs::directory_entry& thread) {
-        std::ifstream children(thread.path() / "children");
-        std::string child_pid;
-        while (children >> child_pid)
-            if (lives(child_pid)) return true;
-        return false;
-    });
-}
-
-// Detects a hung mpirun. now() must be called about once a second while mpirun is silent;
-// it returns true when all child processes of mpirun have been gone for more than
-// hung_after_s calls.
-class HungMpirun {
-  public:
-    bool now(pid_t mpirun) {
-        const bool busy = has_living_children(mpirun);
-        started_ = started_ || busy;
-        alone_s_ = started_ && !busy ? alone_s_ + 1 : 0;
-        return alone_s_ > hung_after_s;
-    }
-
-  private:
-    bool started_ = false;
-    int alone_s_ = 0;
-};
-
-// Throws with the system's reason. limit: the command that shows what it may be.
-[[noreturn]] void no_room(const char* what, const char* limit) {
-    throw std::runtime_error(fmt::format("cannot {}: {}; see {}, and end other programs",
-                                         what, std::strerror(errno), limit));
-}
-
-// A shell process that waits for the launcher's end (its end of the pipe closes), gives
-// mpirun hung_after_s seconds, and kills it. It works even if the launcher itself was
-// killed.
-class MpirunGuard {
-  public:
-    explicit MpirunGuard(pid_t mpirun) {
-        if (pipe2(pipe_, O_CLOEXEC) != 0) no_room("make a pipe", "ulimit -n");
-        const std::string script = fmt::format(
-            "read _; n={1}; while [ $n -gt 0 ]; do kill -0 {0} || exit 0; "
-            "/bin/sleep 1; n=$((n - 1)); done; kill -9 {0}",
-            mpirun, hung_after_s);
-        shell_ = fork();
-        if (shell_ == 0) wait_as_shell(script);
-        close(pipe_[0]);
-    }
-    MpirunGuard(const MpirunGuard&) = delete;
-    MpirunGuard& operator=(const MpirunGuard&) = delete;
-    // Must run after waitpid for mpirun, so that the shell finds no mpirun to kill.
-    ~MpirunGuard() {
-        close(pipe_[1]);
-        while (shell_ > 0 && waitpid(shell_, nullptr, 0) < 0 && errno == EINTR) {
-        }
-    }
-
-  private:
-    [[noreturn]] void wait_as_shell(const std::string& script) const {
-        setsid();  // signals to the job's process group pass it by
-        const int nothing = open("/dev/null", O_WRONLY);
-        dup2(pipe_[0], STDIN_FILENO);
-        dup2(nothing, STDOUT_FILENO);
-        dup2(nothing, STDERR_FILENO);
-        execl("/bin/sh", "sh", "-c", script.c_str(), static_cast<char*>(nullptr));
-        _exit(127);
-    }
-
-    int pipe_[2] = {-1, -1};
-    pid_t shell_ = -1;
-};
 
 }  // namespace
 
@@ -338,6 +249,7 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) no_room("make a pipe", "ulimit -n");
     const auto command = mpirun_command(programs);
+    const std::string session = session_folder();
     const pid_t launcher = getpid();
     // Signals are blocked until `child` is set, so that the handler has a process to pass
     // them on to.
@@ -346,12 +258,12 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     sigprocmask(SIG_BLOCK, &all, &before);
     pass_on_signals();
     child = fork();
-    if (child == 0) become(command, ends[1], launcher, before);
+    if (child == 0) become(command, session, ends[1], launcher, before);
     close(ends[1]);
     if (child > 0 && stop_signal != 0) alarm(1);  // it came between two attempts
     sigprocmask(SIG_SETMASK, &before, nullptr);
     if (child < 0) no_room("start mpirun", "ulimit -u");
-    const MpirunGuard guard(child);
+    const MpirunGuard guard(child, session);
 
     MpirunMessages messages;
     const bool hung = filter_errors(ends[0], messages);

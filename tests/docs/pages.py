@@ -49,6 +49,7 @@ class Site(unittest.TestCase):
                 if re.match(r"https?:|mailto:|data:", link):
                     continue
                 path, _, anchor = link.partition("#")
+                path = path.partition("?")[0]  # Sphinx marks versions of its files there
                 target = (page.parent / path).resolve() if path else page
                 if not target.exists():
                     missing.append(f"{page.relative_to(html)}: {link}")

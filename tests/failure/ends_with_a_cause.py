@@ -210,7 +210,7 @@ class Diverged(unittest.TestCase):
         self.assertIn("left the fluid", run.err)
 
 
-class CrashOfMpirun(unittest.TestCase):
+class Mpirun(unittest.TestCase):
     SETTINGS = {"time.end": "1 ms", "checkpoint.every": "0.5 ms"}
 
     def run_with(self, mpirun, folder, restart=None):
@@ -236,6 +236,16 @@ class CrashOfMpirun(unittest.TestCase):
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("mpirun was killed by signal 11", run.err)
         self.assertEqual(run.summary()["outcome"], "lost_partner")
+
+    def test_each_has_a_folder_of_its_own_that_goes_with_it(self):
+        """Jobs that shared one took it from each other at their start and end."""
+        seen = Path(testing.new_folder()) / "seen"
+        for _ in range(2):
+            self.run_with(f'[ ! -d "$OMPI_MCA_orte_tmpdir_base" ] || echo "$OMPI_MCA_orte_tmpdir_base" >>{seen}\n'
+                          "exit 1", testing.new_folder())
+        folders = seen.read_text().splitlines()
+        self.assertEqual(len(set(folders)), 2, folders)
+        self.assertFalse([each for each in folders if Path(each).exists()], folders)
 
 
 class BadInput(unittest.TestCase):

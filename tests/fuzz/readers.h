@@ -4,7 +4,9 @@
 
 #include <filesystem>
 
+#include "coupler/checkpoint/state_file.h"
 #include "structure/magnetics/grid_field.h"
+#include "structure/mesh/gmsh_mesh.h"
 #include "structure/table_file.h"
 #include "structure/triangle_surface.h"
 
@@ -32,6 +34,18 @@ inline void surface(const std::filesystem::path& file) {
     const structure::TriangleSurface read(file.string(), 1e-3, {});
     (void)read.holds({1e-3, 1e-3, 1e-3});
     (void)read.nearest({1e-3, 1e-3, 1e-3});
+}
+
+inline void mesh(const std::filesystem::path& file) {
+    (void)structure::read_gmsh_mesh(file, 1e-3);
+}
+
+// The checksums are looked at last: what comes before must bear any content.
+inline void state(const std::filesystem::path& file) {
+    const coupler::StateReader read(file);
+    for (const char* name : {"pairs", "numbers", "substeps", "energy_audit"})
+        if (read.has(name)) (void)read.table(name);
+    read.verify();
 }
 
 }  // namespace magfsi::fuzz

@@ -58,6 +58,26 @@ axes:
 errors:
   end: {probe: "robot.com_z[m]", norm: final, reference: 0.004}
 """
+BEAM = """\
+name: balken
+time: {end: 0.25 s, equilibrium: {method: newton}}
+bodies:
+  beam:
+    mesh: {box: {size: [17.5 mm, 5 mm, 1 mm], elements: [6, 2, 1]}}
+    material: {shear_modulus: 330 kPa, lame_lambda: 6.6 MPa, density: 1860 kg/m3}
+    magnetization: {uniform: [100 kA/m, 0 A/m, 0 A/m]}
+    clamps: [x_min]
+magnetic_field: {vector_table: {file: feld ä.csv}}
+probes: {every: 0.25 s, points: {tip: {body: beam, at: [17.5 mm, 2.5 mm, 0.5 mm]}}}
+"""
+SEARCH = """\
+name: suche
+scene: der balken.yaml
+parameters: {slope: {key: bodies.beam.material.shear_modulus, range: [300 kPa, 360 kPa]}}
+measures: {lift: {probe: "tip_uz[m]", number: final}}
+maximize: lift
+runs: 2
+"""
 PLAIN, STRANGE = "plain", "Ordner mit Ärger/ü b"
 NAMES = ("ein stein.stl", "feld ä.csv", "gitter ö.csv", "magnet ß.csv", "zwei würfel.msh", "lenker é.py")
 
@@ -166,7 +186,7 @@ class Paths(unittest.TestCase):
         text = (self.top / "neue szenen/mein_roboter/scene.yaml").read_text()
         self.assertIn("\nname: mein_roboter\n", text)
 
-    @unittest.skipUnless((testing.BIN / "magfsi-fluid-openfoam").exists(),
+    @unittest.skipUnless((testing.BIN.parent / "lib/libmagfsi_openfoam_engine.so").exists(),
                          "built without OpenFOAM (packages-optional.txt)")
     def test_openfoam(self):
         settings = {"fluid.solver": "openfoam", "fluid.obstacles": "null", "contact": "null",
@@ -175,6 +195,40 @@ class Paths(unittest.TestCase):
                     "coupling.immersed_boundary.forcing": "penalty"}
         run = self.ran(self.top, "foam ä", *testing.overrides(settings))
         self.assertEqual(json.loads((run / "summary.json").read_text())["outcome"], "completed")
+
+
+class Searches(unittest.TestCase):
+    """Commands that run a scene several times, and films."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.top = Path(testing.new_folder()) / STRANGE
+        cls.top.mkdir(parents=True)
+        for name, text in (("der balken.yaml", BEAM), ("die suche.yaml", SEARCH),
+                           ("feld ä.csv", "t[s],Bx[mT],By[mT],Bz[mT]\n0,0,0,0\n1,0,0,20\n")):
+            (cls.top / name).write_text(text)
+
+    def module(self, name, *words):
+        return testing.output_of(sys.executable, "-P", "-m", f"magfsi.{name}", *words, cwd=self.top,
+                                 stdin=subprocess.DEVNULL)
+
+    def test_cost(self):
+        self.module("cost", "der balken.yaml", "--budget", "20 s", "--out", "kosten ä")
+        self.assertTrue(list(self.top.glob("kosten ä/*.csv")))
+
+    def test_a_search(self):
+        self.module("optimize", "die suche.yaml", "--out", "ergebnis ö")
+        self.assertTrue((self.top / "ergebnis ö/best.yaml").exists())
+        testing.output_of(runs.BIN / "magfsi", "check", "ergebnis ö/best.yaml", cwd=self.top)
+
+    def test_picture_and_film(self):
+        testing.output_of(runs.BIN / "magfsi", "run", "der balken.yaml", "--out", "lauf é", "--set",
+                          "output.structure.every=0.125 s", cwd=self.top)
+        self.module("render", "lauf é", "--out", "bild ß.png")
+        self.assertTrue((self.top / "bild ß.png").exists())
+        if shutil.which("ffmpeg"):
+            self.module("film", "lauf é", "--out", "film ß.mp4", "--seconds", "0.2")
+            self.assertTrue((self.top / "film ß.mp4").exists())
 
 
 if __name__ == "__main__":

@@ -76,8 +76,10 @@ class Scripts(unittest.TestCase):
         """Of each run of the script: the lines of its thermodynamics."""
         done = self.lammps(script)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr)
-        return [found.split("\n") for found in
-                re.findall(r"^Step .*\n((?:[ \d.e+-]+\n)+)Loop", done.stdout, re.M)]
+        # LAMMPS of 2025 indents the line of names.
+        found = re.findall(r"^ *Step .*\n((?:[ \d.e+-]+\n)+)Loop", done.stdout, re.M)
+        self.assertTrue(found, done.stdout)
+        return [each.split("\n") for each in found]
 
     def test_what_is_wrong_is_refused(self):
         for words, line, instead in WRONG:
