@@ -114,8 +114,8 @@ class Labels:
         self.field = FancyArrowPatch(at, at, arrowstyle="-|>", color=FIELD, linewidth=self.points(2.6),
                                      mutation_scale=self.points(15), shrinkA=0, shrinkB=0, **more)
         self.figure.add_artist(self._each_time(self.field))
-        self.strength = self._each_time(self.text(62, self.size[1] / self.unit - 124, "", 13, FIELD, ha="center",
-                                                  linespacing=1.3))
+        self.strength = self._each_time(self.text(62, self.size[1] / self.unit - 104, "", 13, FIELD, ha="center",
+                                                  va="top", linespacing=1.3))
 
     def show_field(self, share, tesla):
         """share: of the largest value, to the right and up."""
