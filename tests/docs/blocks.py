@@ -208,7 +208,7 @@ class Shell(unittest.TestCase):
             self.folder.good([*words, "--runs", "1", "--search-only", "--set", "fluid.spacing=0.4 mm"])
         elif command in WHOLE:
             self.words_are_known(words)
-        elif command in ("plot", "report", "render"):
+        elif command in ("plot", "figure", "report", "render"):
             for word in words[2:]:
                 if word.startswith("runs/") and not (self.folder.path / word / "summary.json").exists():
                     self.folder.good(["./magfsi", "run", "my_scene.yaml", "--set", "time.end=1 ms",

@@ -157,7 +157,8 @@ class Paths(unittest.TestCase):
 
     def test_pages_and_pictures(self):
         for command, *words in (("report", "lauf é 1", "lauf é 1", "--out", "seite ß.html"),
-                                ("plot", "lauf é 1", "--out", "bild ß.png")):
+                                ("plot", "lauf é 1", "--out", "bild ß.png"),
+                                ("figure", "lauf é 1", "--columns", "*", "--out", "kurven ß.svg")):
             with self.subTest(command):
                 self.module(command, *words)
                 self.assertTrue((self.top / words[-1]).exists())

@@ -14,9 +14,11 @@ from pathlib import Path
 from unittest import mock
 
 import numpy as np
+import vtk
 from kinds import SECOND
-from magfsi import testing
-from magfsi.drawing.stage import ensure_display
+from magfsi import gallery, testing, units
+from magfsi.drawing import actors, camera, clock, magnetisation
+from magfsi.drawing.stage import Stage, ensure_display
 from PIL import Image
 
 FIELDS = {"time.end": "1 ms", "output.structure.every": "0.5 ms",
@@ -89,6 +91,140 @@ class Pictures(unittest.TestCase):
         image = self.drawn(run)
         blue = (image[..., 2] > image[..., 0] + 30)
         self.assertGreater(blue.sum(), 100)
+
+
+# As little of each tutorial as shows its robot.
+BRIEF = {"beam": {}, "catheter": {"time.end": "5 ms", "output.structure.every": "5 ms"},
+         "cilia": {"time.end": "40 ms", "output.structure.every": "20 ms"}, "gait": {"time.end": "1.6 ms"},
+         "gravity": {"time.end": "1 s"}, "gripper": {"time.end": "2 ms", "output.structure.every": "2 ms"},
+         "helix": {"time.end": "10 ms", "output.structure.every": "10 ms"}, "origami": {"time.end": "250 ms"},
+         "steering": {"time.end": "10 ms"}, "strip": {"time.end": "250 ms"}, "swimmer": {"time.end": "2 ms"},
+         "tank": {"time.end": "1 ms"}, "turning": {"time.end": "1 s"}}
+
+
+class Framed(unittest.TestCase):
+    def extent(self, name):
+        """Of the robot's pixels, as shares of the picture's width."""
+        run = testing.shared_run(testing.ROOT / "tutorials" / name, BRIEF[name])
+        stage = Stage(run.folder, "picture", (400, 300), "", hidden=("vortices",))
+        first, last = stage.times()
+        return stage.share_of_width(first + 0.75 * (last - first))
+
+    def test_every_tutorial_shows_its_robot(self):
+        self.assertEqual(sorted(BRIEF), gallery.tutorials())
+        for name in BRIEF:
+            with self.subTest(name):
+                wide, high = self.extent(name)
+                testing.report(f"{name}: {100 * wide:.0f} % of the width, and {100 * high:.0f} % of it high")
+                # What stands upright cannot be as wide: a hair of 0.1 x 0.8 mm.
+                self.assertGreater(max(wide, high), 0.2)
+                if name != "cilia":
+                    self.assertGreater(wide, 0.2)
+                self.assertLess(max(wide, high / 0.75), 0.98)  # all of it
+
+    def test_what_hides_a_body_is_cut_open(self):
+        run = testing.shared_run(testing.ROOT / "tutorials/catheter", BRIEF["catheter"])
+        wide = {}
+        for obstacles in ("cut", "glass", "whole"):
+            stage = Stage(run.folder, "picture", (400, 300), "", obstacles=obstacles)
+            wide[obstacles] = stage.share_of_width(0.0)[0]
+        self.assertLess(wide["whole"], 0.05)
+        self.assertGreater(wide["cut"], 0.3)
+        self.assertAlmostEqual(wide["glass"], wide["cut"], delta=0.02)
+
+    def test_what_stands_beside_is_whole(self):
+        ball = vtk.vtkSphereSource()
+        ball.SetRadius(1)
+        course = np.array([[3.0, -1, -1], [4, 1, 1]])
+        towards = np.array([0.1, -0.9, 0.2])
+        self.assertIsNone(actors.cut_open(ball, towards, course))
+        ball.SetCenter(3.5, 5, 0)  # behind
+        self.assertIsNone(actors.cut_open(ball, towards, course))
+        ball.SetCenter(3.5, 0, 0)
+        half = actors.cut_open(ball, towards, course)
+        half.Update()
+        bounds = half.GetOutput().GetBounds()
+        self.assertAlmostEqual(bounds[2], 0, delta=1e-6)  # the half away from the viewer
+        self.assertAlmostEqual(bounds[3], 1, delta=0.05)
+        closed = vtk.vtkMassProperties()
+        whole = vtk.vtkTriangleFilter()
+        whole.SetInputConnection(half.GetOutputPort())
+        closed.SetInputConnection(whole.GetOutputPort())
+        closed.Update()
+        full = vtk.vtkMassProperties()
+        full.SetInputConnection(ball.GetOutputPort())
+        full.Update()
+        # The middle of the octahedron of eight sectors is a corner: halves are equal.
+        self.assertAlmostEqual(closed.GetVolume() / full.GetVolume(), 0.5, delta=0.02)
+
+    def test_cameras_and_frames(self):
+        right, up, towards = camera.axes(*camera.VIEWS["top"])
+        np.testing.assert_allclose([right, up, towards], np.eye(3), atol=1e-12)
+        np.testing.assert_allclose(camera.axes(*camera.VIEWS["side"])[2], [1, 0, 0], atol=1e-12)
+        run = testing.shared_run(BEAM, LIFTED)
+        for frame in camera.FRAMES:
+            for look in ("page", "picture"):
+                stage = Stage(run.folder, look, (400, 300), "", view=(0.0, 0.0), frame=frame)
+                wide, high = stage.share_of_width(0.0)
+                self.assertLess(max(wide, high / 0.75), 0.98)
+                # The beam lies along x: 17.5 mm. The scale's pixels are those of the picture.
+                scale = stage.camera.pixels_a_metre((8.75e-3, 0, 0.5e-3))
+                self.assertAlmostEqual(17.5e-3 * scale, 400 * wide, delta=4 + 0.04 * 400 * wide)
+
+
+class Written(unittest.TestCase):
+    def test_time_is_in_the_unit_of_the_scene(self):
+        run = {"scene": "time: {end: 2 s}\n", "overrides": [], "end": 0.02, "load": None}
+        self.assertEqual(clock.Clock(run).text(0.0125), "t = 0.0125 s")
+        self.assertEqual(clock.Clock({**run, "overrides": ["time.end=20 ms"]}).text(0.0125), "t = 12.5 ms")
+        self.assertEqual(clock.Clock({**run, "scene": "time: {end: 800 us}"}).text(2e-4), "t = 200 \u00b5s")
+        self.assertEqual(clock.Clock({**run, "scene": ""}).text(0.0125), "t = 12.5 ms")
+
+    def test_equilibria_are_named_by_their_load(self):
+        stage = Stage(testing.shared_run(BEAM, LIFTED).folder, "picture", (400, 300), "direction")
+        stage.draw(0.5)
+        field = testing.shared_run(BEAM, LIFTED).probes()
+        row = field["t[s]"].index(0.5)
+        self.assertEqual(stage.labels.time.get_text(), f"field {1e3 * field['field[T]'][row]:.4g} mT")
+        self.assertEqual(stage.labels.strength.get_text(), f"B = {1e3 * field['field[T]'][row]:.3g} mT")
+
+    def test_numbers_with_their_units(self):
+        for value, unit, text in ((2e-5, "m", "20 \u00b5m"), (0.017, "T", "17 mT"), (62e3, "A/m", "62 kA/m"),
+                                  (1500.0, "s", "1.5e+03 s"), (30.0, "deg", "30\u00b0"), (140.0, "1/s", "140 s\u207b\u00b9")):
+            self.assertEqual(units.with_unit(value, unit), text)
+
+    def test_the_wheel_says_what_is_drawn(self):
+        """Magnetisation along z of the body and the wheel's upper side have one colour."""
+        east, north, west, none = magnetisation.colours(np.array([1.0, 0, -1, 0]), np.array([0, 1.0, 0, 0]), 1.0)
+        self.assertGreater(east[0], 2 * max(east[1:]))
+        self.assertGreater(north[1], 1.5 * max(north[0], north[2]))
+        self.assertGreater(min(west[1:]), 2 * west[0])
+        self.assertLess(np.ptp(none), 1)
+        stage = Stage(testing.shared_run(BEAM, LIFTED).folder, "picture", (400, 300), "direction")
+        found = stage.magnetisation
+        self.assertEqual((found.plane, round(found.largest)), ("xz", 100000))
+        vectors = found.of_faces(0.5)  # bent: no longer all along x
+        self.assertGreater(vectors[:, 2].max(), 0.5 * found.largest)
+        shown = stage.arrows.glyphs
+        stage.draw(0.5)
+        shown.Update()
+        self.assertEqual(len(stage.arrows.chosen), stage.arrows.data.GetNumberOfPoints())
+        places = stage._centres(0.0)[stage.arrows.chosen]
+        apart = np.linalg.norm(places[:, None] - places[None], axis=2) + np.eye(len(places))
+        self.assertGreater(apart.min(), 0.99 * stage.arrows.distance)
+
+    def test_parts_that_are_hidden(self):
+        run = testing.shared_run(BEAM, LIFTED)
+        def corner(*hidden):
+            stage = Stage(run.folder, "picture", (400, 300), "direction", hidden=hidden)
+            return stage.draw(0.5)
+        whole = corner()
+        for part, rows, columns in (("field", slice(0, 70), slice(0, 70)), ("bars", slice(0, 80), slice(300, 400)),
+                                    ("time", slice(270, 300), slice(0, 120)), ("scale", slice(250, 280), slice(0, 120))):
+            self.assertGreater(np.abs(whole[rows, columns].astype(int) - corner(part)[rows, columns]).sum(), 2000, part)
+        self.assertEqual(draw("render", run.folder, "--hide", "bar").returncode, 2)
+        self.assertEqual(draw("render", run.folder, "--camera", "above").returncode, 2)
+        self.assertEqual(draw("render", run.folder, "--levels", "3,2").returncode, 2)
 
 
 class Refused(unittest.TestCase):

@@ -5,6 +5,7 @@
         ./magfsi study "$study" --out runs/map/$(basename "$study" .yaml)
     done
     ./magfsi python tests/stability/draw_map.py runs/map --out docs/stability
+    ./magfsi python tests/stability/draw_map.py docs/stability/cells.csv    # the pictures alone
 
 Writes fluid.png, coupling.png, bodies.png, no_slip.png, refinement.png and contact.png, cells.csv with a row for
 each run, and by_axis.md with the counts.
@@ -54,7 +55,7 @@ def label(row, axis):
 def title(axis):
     name, _, unit = axis.partition("[")
     unit = unit.rstrip("]")
-    shown = {"Pa": "kPa", "T": "mT", "s": "us", "rad": "deg", "1/s": "Hz"}.get(unit, unit)
+    shown = {"Pa": "kPa", "T": "mT", "s": "\u00b5s", "rad": "deg", "1/s": "Hz"}.get(unit, unit)
     words = name.replace("_over_", " / ").replace("k / g", "K / G").replace("_", " ")
     return words if shown in ("", "1") else f"{words} [{shown}]"
 
@@ -75,18 +76,60 @@ class Study:
         return list(dict.fromkeys(values[axis] for values, _, _ in self.cells))
 
 
+def common(texts):
+    """The words that all texts begin with, but for their last."""
+    words = [text.split() for text in texts]
+    count = 0
+    while all(len(w) > count + 1 and w[count] == words[0][count] for w in words):
+        count += 1
+    return " ".join(words[0][:count])
+
+
+class Stored(Study):
+    """Of rows of cells.csv, whose cells are "axis value; axis value"."""
+
+    def __init__(self, name, rows):
+        self.name, self.rows = name, rows
+        cells = [row["cell"].split("; ") for row in rows]
+        # An axis ends with its unit, or where the texts begin to differ.
+        self.axes = [texts[0][:texts[0].index("] ") + 1] if "] " in texts[0] else common(texts)
+                     for texts in zip(*cells)]
+        lengths = list(map(len, self.axes))
+        self.axes = [axis.replace("[us]", "[\u00b5s]") for axis in self.axes]
+        self.cells = [([text[length + 1:] for length, text in zip(lengths, cell)], self.end(row), row)
+                      for cell, row in zip(cells, rows)]
+
+    @staticmethod
+    def end(row):
+        return row["end"] if row["end"] != "stopped" else kind({**row, "outcome": "diverged"})
+
+
+def stored(path):
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {name: Stored(name, [row for row in rows if row["study"] == name])
+            for name in dict.fromkeys(row["study"] for row in rows)}
+
+
+def draw_pictures(studies, out):
+    for name, members in PICTURES.items():
+        there = [studies[m] for m in members if m in studies]
+        if there:
+            draw(there, CAUSES, out / f"{name}.png")
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("results", type=pathlib.Path)
     options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("docs/stability"))
     chosen = options.parse_args()
+    if chosen.results.suffix == ".csv":
+        draw_pictures(stored(chosen.results), chosen.out)
+        return
     studies = {file.parent.name: Study(file.parent)
                for file in sorted(chosen.results.glob("*/runs.csv"))}
     chosen.out.mkdir(parents=True, exist_ok=True)
-    for name, members in PICTURES.items():
-        there = [studies[m] for m in members if m in studies]
-        if there:
-            draw(there, CAUSES, chosen.out / f"{name}.png")
+    draw_pictures(studies, chosen.out)
     map_tables.write_cells(studies.values(), chosen.out / "cells.csv")
     page = map_tables.page(studies.values(), CAUSES)
     (chosen.out / "by_axis.md").write_text(page)

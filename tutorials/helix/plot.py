@@ -20,8 +20,10 @@ from magfsi import plotting
 HERE = pathlib.Path(__file__).resolve().parent
 SHAPE, BOX = (0.5, 2, 3, 0.3), (8, 4, 4)  # mm
 VISCOSITY, MAGNETIZATION, FIELD = 0.01, 2e3, 1e-3
+MOST_DEG = 800
 COLUMNS = ("frequency[Hz]", "turns[Hz]", "speed[m/s]")
 BLUE, ORANGE = "#0072b2", "#d55e00"
+SLOW_TO_FAST = "viridis"  # dark to light, also for colour-blind readers
 
 
 def course(folder):
@@ -45,12 +47,16 @@ def means(frequency, time, lag, x):
 
 
 def draw_lags(axes, runs, step_out):
-    for frequency, time, lag, _ in runs:
-        axes.plot(time, np.degrees(lag), lw=1.2, label=f"{frequency:g} Hz")
+    shades = plt.colormaps[SLOW_TO_FAST](np.linspace(0.05, 0.8, len(runs)))
+    for (frequency, time, lag, _), shade in zip(runs, shades):
+        shown = np.degrees(lag) <= MOST_DEG
+        axes.plot(time[shown], np.degrees(lag)[shown], lw=1.4, color=shade)
+        axes.annotate(f"{frequency:g} Hz", (time[shown][-1], np.degrees(lag)[shown][-1]), xytext=(4, 0),
+                      textcoords="offset points", color=shade, va="center")
         if frequency < step_out:
             axes.axhline(math.degrees(math.asin(frequency / step_out)), color="0.6", lw=0.8, ls="--", zorder=0)
-    axes.set(xlabel="time [s]", ylabel="behind the field [degrees]", ylim=(0, 800))
-    axes.legend(frameon=False)
+    axes.set(xlabel="time [s]", ylabel="behind the field [degrees]", ylim=(0, MOST_DEG))
+    axes.margins(x=0.14)  # for the frequencies beside the curves
     plotting.clean(axes)
 
 
@@ -89,7 +95,7 @@ def main():
     for axes, label in ((rates, "turns of the helix [Hz]"), (speeds, "swims at [mm/s]")):
         axes.axvline(step_out, color="0.8", lw=0.8, zorder=0)
         axes.set(xlabel="turns of the field [Hz]", ylabel=label, xlim=(0, 3.2), ylim=(0, None))
-        axes.legend(frameon=False, fontsize=7)
+        axes.legend(frameon=False, fontsize=7.5, loc="lower left", bbox_to_anchor=(-0.02, 1.0), borderaxespad=0)
         plotting.clean(axes)
     figure.savefig(chosen.out, dpi=150)
     print(chosen.out)

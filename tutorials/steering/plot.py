@@ -9,12 +9,13 @@ import pathlib
 import matplotlib.pyplot as plt
 import numpy as np
 
-from magfsi import plot, plotting
-from magfsi.plotting import GREY
+from magfsi import curves, plot, plotting
 from magfsi.report import data
 
 HERE = pathlib.Path(__file__).resolve().parent
-COLOURS = {"x": "#d55e00", "y": "#009e73", "z": "#0072b2"}
+COLOURS = {"x": "#d55e00", "y": "#777777", "z": "#0072b2"}
+ABOVE = {"frameon": False, "loc": "lower left", "bbox_to_anchor": (-0.02, 1.0), "borderaxespad": 0, "ncols": 4,
+         "columnspacing": 1, "handlelength": 1.6}
 
 
 def controller():
@@ -28,9 +29,11 @@ def draw_course(axes, probes, time_ms):
     target = np.array([controller().target(1e-3 * t) for t in time_ms])
     for i, axis in enumerate("xz"):
         axes.plot(time_ms, 1e3 * probes[f"strip.com_{axis}[m]"], color=COLOURS[axis], lw=1.4, label=axis)
-        axes.plot(time_ms, 1e3 * target[:, i], color=COLOURS[axis], lw=0.8, ls="--")
-    axes.set(xlabel="time [ms]", ylabel="centre of mass [mm], dashed: aim")
-    axes.legend(frameon=False)
+    # Both aims are one course: a wide dash under a narrow one.
+    for i, (axis, width) in enumerate((("x", 2.2), ("z", 0.9))):
+        axes.plot(time_ms, 1e3 * target[:, i], color=COLOURS[axis], lw=width, ls="--", alpha=0.7, label=f"aim of {axis}")
+    axes.set(xlabel="time [ms]", ylabel="centre of mass [mm]")
+    axes.legend(**ABOVE)
     plotting.clean(axes)
 
 
@@ -39,7 +42,7 @@ def draw_field(axes, probes, time_ms):
         axes.step(time_ms, 1e3 * probes[f"field_{axis}[T]"], color=COLOURS[axis], lw=1.2,
                   label=f"B{axis}")
     axes.set(xlabel="time [ms]", ylabel="field [mT]")
-    axes.legend(frameon=False, loc=(0.03, 0.56))
+    axes.legend(**ABOVE)
     plotting.clean(axes)
 
 
@@ -48,14 +51,17 @@ def main():
     probes = plotting.read_columns(chosen.folder / "probes.csv")
     time_ms = 1e3 * probes["t[s]"]
     plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, (course, field, shapes) = plt.subplots(1, 3, figsize=(10.5, 3.4), constrained_layout=True)
+    figure, (course, field, shapes) = plt.subplots(1, 3, figsize=(11.4, 3.5), constrained_layout=True)
+    figure.get_layout_engine().set(wspace=0.08)
     draw_course(course, probes, time_ms)
     draw_field(field, probes, time_ms)
     found, faces, body = plot.views(chosen.folder)
     scene = data.read_json(chosen.folder / "scene.json", {})
     scene.setdefault("magnetic_field", {})["plane"] = "xz"
-    plot.draw_shapes(shapes, scene, found, faces, body)
-    shapes.plot([6], [6], "+", color=GREY)
+    across = plot.draw_shapes(shapes, scene, found, faces, body)
+    plot.draw_instants(shapes, curves.Probes(chosen.folder), found, across, field=False)
+    shapes.plot([6], [6], "+", color="k", ms=9, zorder=9)
+    shapes.annotate("start", (6, 6), xytext=(6, -10), textcoords="offset points")
     figure.savefig(chosen.out, dpi=150)
     print(chosen.out)
 

@@ -44,7 +44,7 @@ def draw_water(axes, folder, time_s):
         axes.plot([x[0], x[-1], x[-1], x[0], x[0]], [z[0], z[0], z[-1], z[-1], z[0]], color=GREY, lw=0.5)
     time, frame = plotting.nearest_frames(plotting.frames(folder), [time_s])[0]
     plotting.draw_faces(axes, plotting.side_view_mm(frame), width=0.2)
-    axes.set(aspect="equal", title=f"{1e3 * time:.0f} ms", xlabel="x [mm]", ylabel="z [mm]")
+    axes.set(aspect="equal", title=f"the tank at {1e3 * time:.0f} ms", xlabel="x [mm]", ylabel="z [mm]")
     return shown
 
 
@@ -61,20 +61,22 @@ def main():
     chosen = options.parse_args()
     box = chosen.box / "probes.csv" if chosen.box.is_dir() else chosen.box
     plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, (whole, near, rise) = plt.subplots(1, 3, figsize=(10.5, 3.4), constrained_layout=True)
+    figure, (whole, near, rise) = plt.subplots(1, 3, figsize=(11.4, 3.4), constrained_layout=True)
+    figure.get_layout_engine().set(wspace=0.08)
     probes = plotting.read_columns(chosen.folder / "probes.csv")
     shown = draw_water(whole, chosen.folder, INSTANT_S)
     draw_water(near, chosen.folder, INSTANT_S)
     height = 1e3 * probes["robot.com_z[m]"][-1]
     near.set(xlim=(14, 26), ylim=(height - 6, height + 6), title="at the robot")
-    figure.colorbar(shown, ax=near, label="speed of the water [mm/s]")
+    figure.colorbar(shown, ax=near, label="speed of the water [mm/s]", extend="max")
     draw_rise(rise, probes, "tank of 40 mm", color=COLOUR, lw=1.4)
     draw_rise(rise, plotting.read_columns(box), "box of 16 x 8 x 16 mm", color=BOX_COLOUR, lw=1.2, ls="--")
     for period in (40, 80, 120):
         rise.axvline(period, color="0.9", lw=0.8, zorder=0)
-    rise.set(xlabel="time [ms]", ylabel="rise of the centre of mass [mm]")
+    rise.set(xlabel="time [ms]", ylabel="rise [mm]")
     rise.tick_params(colors=INK)
-    rise.legend(frameon=False)
+    rise.legend(frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2, columnspacing=1, handlelength=1.6,
+                borderaxespad=0)
     plotting.clean(rise)
     figure.savefig(chosen.out, dpi=150)
     print(chosen.out)

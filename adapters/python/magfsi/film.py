@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from magfsi import plotting
 from magfsi.drawing import options
 from magfsi.drawing.stage import ensure_display
 
@@ -20,11 +21,12 @@ def encoder(out, size, rate):
     return subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
-def write(stage, out, rate, seconds):
-    """Returns how many pictures; raises RuntimeError with what ffmpeg says."""
+def write(stage, out, rate, seconds, ends):
+    """Of the run between these times, as far as it goes; returns how many pictures. Raises RuntimeError
+    with what ffmpeg says."""
     beside = out.with_name(out.name + ".tmp")
     process = encoder(beside, stage.size, rate)
-    first, last = stage.times()
+    first, last = (min(max(at, stage.times()[0]), stage.times()[1]) for at in ends)
     count = max(2, round(rate * seconds))
     try:
         for time in np.linspace(first, last, count):
@@ -45,11 +47,17 @@ def even(size):
 
 
 def main():
-    asked = options.parser("film", __doc__, "page", (1280, 720))
+    asked = options.parser("film", __doc__, "page", "magnetisation", (1280, 720))
     asked.add_argument("--out", type=Path, help="the film, MP4 (default: film.mp4 in RUN)")
     asked.add_argument("--seconds", type=float, default=10, help="how long it plays")
     asked.add_argument("--rate", type=int, default=25, help="pictures a second")
+    asked.add_argument("--from", dest="begin", type=plotting.seconds, default=0.0, metavar="TIME",
+                       help="where it begins, as '20 ms'")
+    asked.add_argument("--to", dest="end", type=plotting.seconds, default=float("inf"), metavar="TIME",
+                       help="where it ends")
     chosen = asked.parse_args()
+    if not chosen.begin < chosen.end:
+        asked.error("--from: allowed is what comes before --to")
     chosen.size = even(chosen.size)
     if not (0 < chosen.seconds <= 600 and 1 <= chosen.rate <= 60):
         asked.error("--seconds: allowed is up to 600; --rate: 1 to 60")
@@ -60,7 +68,7 @@ def main():
         return 1
 
     def work():
-        count = write(options.staged(chosen), out, chosen.rate, chosen.seconds)
+        count = write(options.staged(chosen), out, chosen.rate, chosen.seconds, (chosen.begin, chosen.end))
         print(f"{out}: {count} pictures, {chosen.seconds:g} s")
         return 0
 

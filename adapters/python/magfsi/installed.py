@@ -101,6 +101,8 @@ class Installed(unittest.TestCase):
         run = magfsi.run(TUTORIALS / "turning", out=self.folder / "turning")
         self.good(sys.executable, "-P", "-m", "magfsi.plot", run.folder)
         self.assertGreater((run.folder / "overview.png").stat().st_size, 10_000)
+        self.good(sys.executable, "-P", "-m", "magfsi.figure", run.folder, "--columns", "*")
+        self.assertGreater((run.folder / "figure.pdf").stat().st_size, 5_000)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ from magfsi.drawing.stage import ensure_display
 
 
 def main():
-    asked = options.parser("render", __doc__, "picture", (1600, 1200))
+    asked = options.parser("render", __doc__, "picture", "direction", (1600, 1200))
     asked.add_argument("--time", type=plotting.seconds, help="the last without it")
     asked.add_argument("--out", type=Path, help="the picture, PNG (default: render.png in RUN)")
     chosen = asked.parse_args()

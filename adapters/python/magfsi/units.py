@@ -33,3 +33,25 @@ def parse(text):
         return float(match.group(1)) * size[1], size[0]
     except ValueError:
         return None
+
+
+# What axes and legends show of units: those that take a prefix, and their letters.
+SIZES = {1e9: "G", 1e6: "M", 1e3: "k", 1.0: "", 1e-3: "m", 1e-6: "\u00b5", 1e-9: "n", 1e-12: "p"}
+WITH_PREFIX = {"m", "s", "m/s", "N", "J", "T", "Pa", "W", "A/m", "N m"}
+LETTERS = {"1": "", "deg": "\u00b0", "1/s": "s\u207b\u00b9", "1/s^2": "s\u207b\u00b2", "m3/s": "m\u00b3/s",
+           "m2/s": "m\u00b2/s"}
+
+
+def scaled(largest, unit):
+    """(factor, unit) in which a value of this size is between 1 and 1000, for units that take a
+    prefix. Nobody says kiloseconds."""
+    if not largest > 0 or unit not in WITH_PREFIX:
+        return 1.0, LETTERS.get(unit, unit)
+    size = max((s for s in SIZES if s <= largest * (1 + 1e-9) and (unit != "s" or s <= 1)), default=1e-12)
+    return 1 / size, SIZES[size] + unit
+
+
+def with_unit(value, unit, digits=3):
+    """"17 mT"."""
+    factor, shown = scaled(abs(value), unit)
+    return f"{factor * value:.{digits}g}{'' if shown in ('', LETTERS['deg']) else ' '}{shown}"

@@ -7,12 +7,14 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 from magfsi.plotting import read_grid
+from magfsi.report import shapes
 from magfsi.report.colours import colour_table
 
 SHARES_OF_MAXIMUM = (0.12, 0.3, 0.6)
 OPACITIES = (0.13, 0.22, 0.4)
 WATER = ((0.62, 0.80, 0.93), (0.25, 0.58, 0.82), (0.07, 0.31, 0.60))
-STONE = (0.62, 0.63, 0.66)
+STONE, MAGNET = (0.62, 0.63, 0.66), (0.55, 0.1, 0.1)
+GLASSY = 0.16  # obstacles that one looks through
 GLASS = 0.85  # of a slice, as the page's
 BODIES = np.array([[219, 115, 51], [0, 114, 178], [0, 158, 115], [204, 121, 167], [86, 180, 233],
                    [230, 159, 0]])
@@ -135,8 +137,13 @@ def slice_actor(flow):
     return shape
 
 
+def quantity(flow, name):
+    """The one whose name begins so, or the first."""
+    return next((q for q in flow["quantities"] if q["name"].startswith(name)), flow["quantities"][0])
+
+
 def show_slice(shape, flow, name, time):
-    q = next((q for q in flow["quantities"] if q["name"].startswith(name)), flow["quantities"][0])
+    q = quantity(flow, name)
     values = unpacked(q["values"], "u1").reshape(-1, flow["rows"], flow["columns"])
     frame = max(0, int(np.searchsorted(flow["times"], time * (1 + 1e-9) + 1e-12, "right")) - 1)
     values = values[frame].astype(int)
@@ -165,8 +172,8 @@ def vortex_strength(image):
     return np.linalg.norm(vtk_to_numpy(image.GetCellData().GetArray(name)), axis=1)
 
 
-def vortices(file, levels=None):
-    """A translucent surface for each level."""
+def vortices(file, levels):
+    """A translucent surface for each level; none of a file without a flow."""
     image = read_grid(file)
     strength = vortex_strength(image)
     if strength is None or not strength.max():
@@ -176,13 +183,21 @@ def vortices(file, levels=None):
     image.GetCellData().SetScalars(scalar)
     points = vtk.vtkCellDataToPointData()
     points.SetInputData(image)
-    levels = levels or [share * strength.max() for share in SHARES_OF_MAXIMUM]
-    for level, colour, opacity in zip(levels, WATER, OPACITIES):
+    for level, colour, opacity in levels:
         surface = vtk.vtkContourFilter()
         surface.SetInputConnection(points.GetOutputPort())
         surface.SetInputArrayToProcess(0, 0, 0, 0, "strength")
         surface.SetValue(0, level)
         yield actor(surface, colour, opacity, ambient=0.35, diffuse=0.7, specular=0.15)
+
+
+def levels_of(files, asked):
+    """[(level in 1/s, colour, opacity)]: those that are asked for, or shares of the largest in these
+    files."""
+    if not asked:
+        found = [strength.max() for strength in map(vortex_strength, map(read_grid, files)) if strength is not None]
+        asked = [float(f"{share * max(found):.2g}") for share in SHARES_OF_MAXIMUM] if found and max(found) else []
+    return list(zip(asked, WATER, OPACITIES))
 
 
 def solid(shape, box):
@@ -235,12 +250,71 @@ def stl(of):
     return moved
 
 
-def solids(scene):
-    fluid = scene.get("fluid", {})
+def cut_open(source, towards, course):
+    """What is left of a surface that encloses the bodies or stands before them: the half behind a
+    plane through the middle of their course, closed there; None of others. towards: the viewer."""
+    source.Update()
+    bounds = np.array(source.GetOutput().GetBounds()).reshape(3, 2)
+    axis = int(np.abs(towards).argmax())
+    sign = 1 if towards[axis] > 0 else -1
+    low, high = course
+    middle = (low + high) / 2
+    beside = [bounds[a, 1] < low[a] or bounds[a, 0] > high[a] for a in range(3) if a != axis]
+    if any(beside) or (sign * (bounds[axis] - middle[axis])).max() <= 0:
+        return None
+    whole = vtk.vtkCleanPolyData()  # the triangles of an STL file share no corners
+    whole.SetInputConnection(source.GetOutputPort())
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(middle)
+    plane.SetNormal([-sign if a == axis else 0 for a in range(3)])
+    planes = vtk.vtkPlaneCollection()
+    planes.AddItem(plane)
+    cut = vtk.vtkClipClosedSurface()
+    cut.SetInputConnection(whole.GetOutputPort())
+    cut.SetClippingPlanes(planes)
+    return cut
+
+
+def sharp_edges(source):
+    found = vtk.vtkFeatureEdges()
+    found.SetInputConnection(source.GetOutputPort())
+    found.SetFeatureAngle(shapes.SHARP_DEG)
+    found.ColoringOff()
+    shape = actor(found, (0.1, 0.1, 0.1), 0.6, ambient=1, diffuse=0)
+    shape.GetProperty().SetLineWidth(1)
+    return shape
+
+
+def solids(scene, look, towards, course):
+    """(actors of the obstacles, whether one is cut open). look: cut, glass or whole."""
+    fluid, found, opened = scene.get("fluid", {}), [], False
     for shape in fluid.get("obstacles", {}).values():
         source = solid(shape, fluid["box"])
-        if source is not None:
-            yield actor(source, STONE, ambient=0.3, diffuse=0.7)
+        if source is None:
+            continue
+        half = cut_open(source, towards, course) if look == "cut" and course is not None else None
+        opened = opened or half is not None
+        source = half or source
+        found += [actor(source, STONE, GLASSY if look == "glass" else 1.0, ambient=0.3, diffuse=0.7),
+                  sharp_edges(source)]
+    return found, opened
+
+
+class Source:
+    """Outlines of a magnet or a coil of the run, where it is at a time."""
+
+    def __init__(self, found):
+        self.times = unpacked(found["times"], "<f4")
+        self.matrices = unpacked(found["matrices"], "<f4").reshape(-1, 12)
+        self.outlines = [np.array(line) for line in found["lines"]]
+        self.actor = lines([[(0, 0, 0)] * len(line) for line in self.outlines], MAGNET, 2.5)
+
+    def move(self, time):
+        row = np.array([np.interp(time, self.times, c) for c in self.matrices.T])
+        points = np.concatenate([line @ row[:9].reshape(3, 3).T + row[9:] for line in self.outlines])
+        data = self.actor.GetMapper().GetInput()
+        data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+        data.Modified()
 
 
 def floor(low, high):

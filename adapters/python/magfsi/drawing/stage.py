@@ -14,12 +14,15 @@ import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 from magfsi.drawing import actors
-from magfsi.report import data, fields
+from magfsi.drawing.camera import VIEWS, Camera, axes
+from magfsi.drawing.clock import Clock
+from magfsi.drawing.labels import Labels
+from magfsi.drawing.magnetisation import Arrows, Magnetisation
+from magfsi.report import data, fields, shapes
+from magfsi.report.colours import colour_table
 
-YAW, PITCH = -0.35, 0.2  # of the page's view (report/view.js)
-SHARE_OF_VIEW = 0.85
 ROOM = 20e6  # bytes of fields: a film has more of them than a page
-PAPER, INK, FIELD = (0.957, 0.957, 0.957), (0.1, 0.1, 0.1), (0.63, 0.29, 0.0)
+PAPER, INK = (0.957, 0.957, 0.957), (0.1, 0.1, 0.1)
 
 
 def ensure_display():
@@ -36,27 +39,54 @@ def ensure_display():
 
 
 class Stage:
-    """Raises data.NotARun where nothing can be drawn."""
+    """Raises data.NotARun where nothing can be drawn. `hidden`: of PARTS; `view`: (yaw, pitch) [rad];
+    `obstacles`: cut, glass or whole; colour: what magfsi.report has, or `direction`."""
 
     def __init__(self, folder, look="page", size=(1400, 620), colour="magnetisation", flow="speed",
-                 levels=None, zoom=1.0, yaw=YAW, pitch=PITCH):
-        self.folder, self.look, self.size, self.levels = Path(folder), look, size, levels
-        self.colour, self.flow_name, self.zoom = colour, flow, zoom
-        self.yaw, self.pitch = yaw, pitch
+                 levels=None, zoom=1.0, view=None, frame=None, obstacles="cut", hidden=()):
+        self.folder, self.look, self.size, self.hidden = Path(folder), look, size, hidden
+        self.flow_name, self.obstacles = flow, obstacles
+        self.picture = look == "picture"
         self.scene = data.read_json(self.folder / "scene.json", {})
         self.run = data.read_run(self.folder, ROOM)
         if not self.run["bodies"] and not self.run["flow"]:
             raise data.NotARun(f"{folder}: nothing to draw: no fields; output.structure in the "
                                "scene writes them")
-        self.low, self.high = map(np.array, data.shown_box(self.scene, self.run["bodies"]))
-        # What fills the view: the bodies over their whole course, as on the page.
-        ends = self.run["bodies"] or {"low": self.low, "high": self.high}
-        self.frame = np.array(ends["low"]), np.array(ends["high"])
-        self.renderer = vtk.vtkRenderer()
-        self.robot = actors.Robot(self.run["bodies"]) if self.run["bodies"] else None
-        self.moving, self.shown_flow = [], None
+        self.box = tuple(map(np.array, data.shown_box(self.scene, self.run["bodies"])))
+        ends = self.run["bodies"]
+        self.course = (np.array(ends["low"]), np.array(ends["high"])) if ends else None
+        self.robot = actors.Robot(ends) if ends else None
+        view = VIEWS["corner" if self.picture else "page"] if view is None else view
+        self.axes = axes(*view)
+        self.flows = [(t, files[0]) for t, files in fields.stored_frames(self.folder, "fluid.pvd")] \
+            if self.picture and "vortices" not in hidden else []
+        self.renderer, self.above = vtk.vtkRenderer(), vtk.vtkRenderer()
+        self.levels, self.moving, self.shown_flow = levels, [], None
+        self._colour(colour)
         self._furnish()
         self._window()
+        self.camera = Camera(self.renderer, np.array(size), view, self.picture,
+                             frame or ("auto" if self.picture else "course"), zoom, self.box,
+                             self.course or self.box)
+        self._write_labels()
+
+    def _colour(self, colour):
+        """By direction where the files tell it; the arrows then, too."""
+        self.colour, self.magnetisation, self.arrows = colour, None, None
+        if colour != "direction" or not self.robot:
+            return
+        self.colour = ""
+        field = self.run["field"]
+        found = Magnetisation(self.folder, self.scene, None if field is None else self._field_vectors(field))
+        if found.largest:
+            self.magnetisation = found
+            if "arrows" not in self.hidden:
+                self.arrows = Arrows(self._centres(found.times[0]))
+                self.above.AddActor(self.arrows.actor)
+
+    def _centres(self, time):
+        """Of the faces."""
+        return self.robot.points(time)[self.robot.quads].mean(axis=1)
 
     def times(self):
         """Of the first and the last frame."""
@@ -65,32 +95,41 @@ class Stage:
         return min(every), max(every)
 
     def _furnish(self):
-        add, picture = self.renderer.AddActor, self.look == "picture"
-        if picture:
+        add = self.renderer.AddActor
+        if self.picture:
             self.renderer.GradientBackgroundOn()
             self.renderer.SetBackground(0.93, 0.95, 0.97)  # below
             self.renderer.SetBackground2(1, 1, 1)
             self._light()
         else:
             self.renderer.SetBackground(PAPER)
-        if self.run["box"]:
-            add(actors.lines(actors.edges(self.low, self.high), INK, 1.5, 0.6 if picture else 0.35))
-            if picture:
-                add(actors.floor(self.low, self.high))
-        if picture:
-            for shape in actors.solids(self.scene):
+        opened, wires = False, self.run["wires"]
+        if "obstacles" in self.hidden:
+            wires = []
+        elif self.picture:
+            found, opened = actors.solids(self.scene, self.obstacles, self.axes[2], self.course)
+            wires = shapes.wires({k: v for k, v in self.scene.items() if k == "platform"}, *self.box)
+            for shape in found:
                 add(shape)
-        if self.run["wires"]:
-            add(actors.lines(self.run["wires"], INK, 1, 0.6))
+        if wires:
+            add(actors.lines(wires, INK, 1, 0.6))
+        if self.run["box"] and "box" not in self.hidden:
+            add(actors.lines(actors.edges(*self.box), INK, 1.5, 0.6 if self.picture else 0.35))
+            if self.picture and not opened:  # in a vessel a floor says nothing
+                add(actors.floor(*self.box))
+        self.sources = [actors.Source(found) for found in self.run["sources"]
+                        if found.get("lines") and "sources" not in self.hidden]
+        for source in self.sources:
+            add(source.actor)
         if self.robot:
-            add(self._robot_actor(picture))
-        if self.run["flow"] and not picture and self.flow_name != "none":
+            self.body = self._robot_actor()
+            add(self.body)
+        if self.run["flow"] and not self.picture and self.flow_name != "none":
             self.slice = actors.slice_actor(self.run["flow"])
             add(self.slice)
-        self._write_captions()
 
-    def _robot_actor(self, picture):
-        if picture:
+    def _robot_actor(self):
+        if self.picture:
             normals = vtk.vtkPolyDataNormals()
             normals.SetInputData(self.robot.data)
             normals.SetFeatureAngle(50)
@@ -101,23 +140,34 @@ class Stage:
         shape.GetMapper().SetScalarModeToUseCellData()
         return shape
 
-    def _write_captions(self):
-        unit = self.size[1] / 620
-        self.caption = vtk.vtkTextActor()
-        self.caption.SetPosition(24 * unit, 20 * unit)
-        self.renderer.AddActor2D(self.caption)
-        look = self.caption.GetTextProperty()
-        look.SetFontFamilyToArial()
-        look.SetFontSize(round(17 * unit))
-        look.SetColor(0.3, 0.33, 0.37)
-        self.arrow = vtk.vtkPolyData()
-        mapper = vtk.vtkPolyDataMapper2D()
-        mapper.SetInputData(self.arrow)
-        shape = vtk.vtkActor2D()
-        shape.SetMapper(mapper)
-        shape.GetProperty().SetColor(FIELD)
-        shape.GetProperty().SetLineWidth(2.5 * unit)
-        self.renderer.AddActor2D(shape)
+    def _write_labels(self):
+        run = self.run
+        self.labels, self.clock = Labels(self.size), Clock(run)
+        if "bars" not in self.hidden:
+            chosen = self.robot and self.robot.chosen(self.colour)
+            if chosen:
+                self._bar(chosen, "signed" if chosen["signed"] else "magnitude")
+            if self.magnetisation:
+                found = self.magnetisation
+                self.labels.wheel(found.plane, found.largest, found.carried)
+            if run["flow"] and not self.picture and self.flow_name != "none":
+                shown = actors.quantity(run["flow"], self.flow_name)
+                self._bar(shown, "signed" if shown["signed"] else "flow")
+        self.field = None if "field" in self.hidden else run["field"]
+        if self.field:
+            self.labels.arrow_of_field(f"\nat {self.field['at']}" if self.field["at"] else "")
+
+    def _bar(self, quantity, table):
+        self.labels.bar(quantity["name"], colour_table(table), quantity["low"], quantity["high"], quantity["unit"],
+                        quantity["beyond"])
+
+    def _levels(self):
+        """Of the vortices, the same over a film; known when the first are drawn."""
+        if not isinstance(self.levels, tuple):
+            self.levels = tuple(actors.levels_of([self.flows[-1][1]], self.levels))
+            if self.levels and "bars" not in self.hidden:
+                self.labels.surfaces("vortices: |curl u|", "1/s", self.levels)
+        return self.levels
 
     def _light(self):
         """Key from the upper left, fill from the right, both fixed to the camera."""
@@ -135,124 +185,79 @@ class Stage:
         self.window.SetSize(*self.size)
         self.window.SetMultiSamples(0)  # not together with depth peeling
         self.window.SetAlphaBitPlanes(1)
+        # What is over all is in a layer of its own, seen by the same camera.
+        self.window.SetNumberOfLayers(2)
+        self.above.SetLayer(1)
+        self.above.SetActiveCamera(self.renderer.GetActiveCamera())
         self.window.AddRenderer(self.renderer)
+        self.window.AddRenderer(self.above)
         self.renderer.SetUseDepthPeeling(1)
         self.renderer.SetMaximumNumberOfPeels(12)
         self.renderer.UseFXAAOn()
 
-    def axes_of_view(self, yaw=None, pitch=None):
-        """Unit vectors to the right, up and towards the viewer."""
-        yaw, pitch = self.yaw if yaw is None else yaw, self.pitch if pitch is None else pitch
-        cy, sy, cp, sp = np.cos(yaw), np.sin(yaw), np.cos(pitch), np.sin(pitch)
-        return np.array([[cy, sy, 0], [-sp * sy, sp * cy, cp], [cp * sy, -cp * cy, sp]])
-
-    def pixels_a_metre(self):
-        """As the page: what is framed fills its share of the first view."""
-        right, up, _ = self.axes_of_view(YAW, PITCH)
-        size = np.maximum(self.frame[1] - self.frame[0], 1e-9)
-        return self.zoom * SHARE_OF_VIEW * min(self.size[0] / (np.abs(right) @ size),
-                                               self.size[1] / (np.abs(up) @ size))
-
-    def _aim(self, centre):
-        camera = self.renderer.GetActiveCamera()
-        if self.look == "picture":
-            return self._aim_with_perspective(camera, centre)
-        middle = (self.frame[0] + self.frame[1]) / 2
-        _, up, towards = self.axes_of_view()
-        far = 10 * np.linalg.norm(self.high - self.low) + 1e-6
-        camera.ParallelProjectionOn()
-        camera.SetFocalPoint(middle)
-        camera.SetPosition(middle + far * towards)
-        camera.SetViewUp(up)
-        camera.SetParallelScale(self.size[1] / 2 / self.pixels_a_metre())
-        self.renderer.ResetCameraClippingRange()
-
-    def _aim_with_perspective(self, camera, centre):
-        """From the front, a little from the right and above. The picture holds the box at zoom 1,
-        then smaller parts of it, ever closer around the bodies."""
-        middle, half = (self.low + self.high) / 2, np.maximum((self.high - self.low) / 2, 1e-9)
-        middle = middle + (centre - middle) * (1 - 1 / self.zoom)
-        low, high = middle - half / self.zoom, middle + half / self.zoom
-        camera.SetFocalPoint(middle)
-        camera.SetPosition(middle + np.array([0.45, -1.0, 0.27]) * np.linalg.norm(half))
-        camera.SetViewUp(0, 0, 1)
-        camera.SetViewAngle(20)
-        camera.SetWindowCenter(0, 0)
-        self.renderer.ResetCamera(np.stack([low, high], axis=1).ravel())
-        to_view = camera.GetCompositeProjectionTransformMatrix(self.size[0] / self.size[1], -1, 1)
-        corners = np.array([to_view.MultiplyPoint((x, y, z, 1)) for x in (low[0], high[0])
-                            for y in (low[1], high[1]) for z in (low[2], high[2])])
-        seen = corners[:, :2] / corners[:, 3:]  # -1 to 1 across the picture
-        offset = (seen.min(axis=0) + seen.max(axis=0)) / 2
-        zoom = 0.94 / (np.ptp(seen, axis=0) / 2).max()
-        camera.Zoom(zoom)
-        camera.SetWindowCenter(*(offset * zoom))
-        self.renderer.ResetCameraClippingRange()
-
     def _show_robot(self, time):
-        colours = self.robot.face_colours(time, self.colour)
+        """Lowest and highest corner of the bodies."""
         points = self.robot.points(time)
+        if self.magnetisation:
+            colours = self.magnetisation.face_colours(time)
+            if self.arrows:
+                self.arrows.move(self._centres(time), self.magnetisation.of_faces(time), self.magnetisation.largest)
+        else:
+            colours = self.robot.face_colours(time, self.colour)
         # What has a bar of colours is not lit: the bar says what is drawn.
-        if self.look == "page" and not self.robot.chosen(self.colour):  # lit by how far a face looks towards the viewer
+        if not self.picture and not self.magnetisation and not self.robot.chosen(self.colour):
             a, b, _, d = (points[self.robot.quads[:, i]] for i in range(4))
             normal = np.cross(b - a, d - a)
-            towards = np.abs(normal @ self.axes_of_view()[2])
+            towards = np.abs(normal @ self.axes[2])
             length = np.linalg.norm(normal, axis=1)
             colours = colours * (0.62 + 0.38 * towards / np.where(length > 0, length, 1))[:, None]
         self.robot.move(time, np.round(colours))
-        return (points.min(axis=0) + points.max(axis=0)) / 2
+        return points.min(axis=0), points.max(axis=0)
 
     def _show_vortices(self, time):
-        stored = [(t, files[0]) for t, files in fields.stored_frames(self.folder, "fluid.pvd")]
-        if not stored:
+        if not self.flows:
             return
-        nearest = min(stored, key=lambda item: abs(item[0] - time))
-        if nearest[1] == self.shown_flow:
+        file = min(self.flows, key=lambda item: abs(item[0] - time))[1]
+        if file == self.shown_flow:
             return
         for shape in self.moving:
             self.renderer.RemoveActor(shape)
-        self.shown_flow = nearest[1]
-        self.moving = list(actors.vortices(nearest[1], self.levels))
+        self.shown_flow = file
+        self.moving = list(actors.vortices(file, self._levels()))
         for shape in self.moving:
             self.renderer.AddActor(shape)
 
+    @staticmethod
+    def _field_vectors(field):
+        return actors.unpacked(field["vectors"], "<f4").reshape(-1, 3)
+
     def _show_field(self, time):
         """The field now as an arrow in the upper left corner; a circle is its largest."""
-        field = self.run["field"]
-        if not field or self.look == "picture":
+        if not self.field:
             return
-        t = actors.unpacked(field["times"], "<f4")
+        t = actors.unpacked(self.field["times"], "<f4")
         row = max(0, int(np.searchsorted(t, time * (1 + 1e-6), "right")) - 1)
-        vector = actors.unpacked(field["vectors"], "<f4").reshape(-1, 3)[row]
-        right, up, _ = self.axes_of_view()
-        unit = self.size[1] / 620
-        middle = np.array([62 * unit, self.size[1] - 62 * unit])
-        tip = 38 * unit * np.array([vector @ right, vector @ up]) / field["largest"]
-        points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
-        turn = np.linspace(0, 2 * np.pi, 49)
-        ring = middle + 46 * unit * np.stack([np.cos(turn), np.sin(turn)], axis=1)
-        head = [tip + 0.3 * (np.array([[c, -s], [s, c]]) @ -tip)
-                for c, s in ((0.9, 0.43), (0.9, -0.43))]
-        for line in (ring, [middle - tip, middle + tip],
-                     [middle + head[0], middle + tip, middle + head[1]]):
-            cells.InsertNextCell(len(line))
-            for x, y in line:
-                cells.InsertCellPoint(points.InsertNextPoint(x, y, 0))
-        self.arrow.SetPoints(points)
-        self.arrow.SetLines(cells)
+        vector = self._field_vectors(self.field)[row]
+        self.labels.show_field(self.axes[:2] @ vector / self.field["largest"], float(np.linalg.norm(vector)))
 
     def draw(self, time):
         """(height, width, 3) of that time, from 0 to 255."""
-        centre = (self.low + self.high) / 2
-        if self.robot:
-            centre = self._show_robot(time)
-        if self.look == "picture":
+        ends = self._show_robot(time) if self.robot else self.box
+        if self.picture:
             self._show_vortices(time)
         elif self.run["flow"] and self.flow_name != "none":
             actors.show_slice(self.slice, self.run["flow"], self.flow_name, time)
+        for source in self.sources:
+            source.move(time)
         self._show_field(time)
-        self.caption.SetInput(f"t = {1e3 * time:.4g} ms")
-        self._aim(centre)
+        if "time" not in self.hidden:
+            self.labels.time.set_text(self.clock.text(time))
+        self.camera.aim(ends)
+        if "scale" not in self.hidden:
+            self.labels.scale_bar(self.camera.pixels_a_metre((ends[0] + ends[1]) / 2))
+        return self.labels.over(self._pixels())
+
+    def _pixels(self):
         self.window.Render()
         grab = vtk.vtkWindowToImageFilter()
         grab.SetInput(self.window)
@@ -262,3 +267,17 @@ class Stage:
         width, height, _ = image.GetDimensions()
         pixels = vtk_to_numpy(image.GetPointData().GetScalars())
         return pixels.reshape(height, width, -1)[::-1, :, :3]
+
+    def share_of_width(self, time):
+        """(width, height) of the pixels that the bodies change, as shares of the picture's width."""
+        self.draw(time)
+        shown = self._pixels().astype(int)
+        for shape in (self.body, self.arrows and self.arrows.actor):
+            if shape:
+                shape.VisibilityOff()
+        changed = np.abs(shown - self._pixels()).sum(axis=2) > 30
+        for shape in (self.body, self.arrows and self.arrows.actor):
+            if shape:
+                shape.VisibilityOn()
+        return tuple((np.ptp(np.nonzero(changed)[axis]) + 1) / self.size[0] if changed.any() else 0.0
+                     for axis in (1, 0))

@@ -24,6 +24,8 @@ def arguments():
                         help="override a value of the scene, in all runs")
     parser.add_argument("--search-only", action="store_true",
                         help="leave out what follows the search: finer runs of the best, the check")
+    parser.add_argument("--draw", type=Path, metavar="FOLDER",
+                        help="search nothing: draw FOLDER/search.png anew from its runs.csv")
     chosen = parser.parse_args()
     if chosen.runs is not None and chosen.runs < 1:
         parser.error(f"--runs: found {chosen.runs}; allowed are whole numbers from 1")
@@ -44,6 +46,13 @@ def main():
     chosen = arguments()
     search = asked(chosen)
     out = chosen.out or Path("runs") / f"search_{search.name}"
+    if chosen.draw:
+        points = result.read_points(search, chosen.draw / "runs.csv")
+        best = result.ranked(points, search)
+        shapes = result.shapes_of(search, best[0], out) if best else None
+        result.draw(search, points, chosen.draw / "search.png", shapes)
+        print(chosen.draw / "search.png")
+        return
     try:
         points = Searching(search, out).go()
     except Missing as error:

@@ -143,55 +143,89 @@ def _move_files(node, old, new):
         _move_files(value, old, new)
 
 
+def read_points(search, path):
+    """The points as write_runs left them: what a figure takes."""
+    points = []
+    with open(path, newline="") as file:
+        for row in csv.DictReader(file):
+            columns = {n: f"{n}[{p.unit}]" if p.unit else n for n, p in search.parameters.items()}
+            values = {n: row[columns[n]] if p.words else float(row[columns[n]]) * p.size
+                      for n, p in search.parameters.items()}
+            points.append(Point(int(row["run"]) - 1, values, store.Run(search.cell(values))))
+            points[-1].value = float(row["objective"]) if row["objective"] else None
+            points[-1].broken = 0.0 if row["good"] == "1" else 1.0
+    return points
+
+
 def shapes_of(search, point, out):
     """The folder of the best, run again with fields; None where that is not to be had."""
-    end_s = point.run.facts["scene"]["time"]["end"]
+    facts = store.planned(store.scene_file(search.scene), search.cell(point.values), out).facts
+    end_s = facts["scene"]["time"]["end"]
     run = run_at(search, point.values, out, {"output": f"{{structure: {{every: {end_s / 24!r} s}}}}"})
     return run.folder if run.completed() else None
 
 
-def _draw_shapes(axes, folder):
-    from magfsi import plot
-    from magfsi.report import data
+def _draw_shapes(axes, folder, number):
+    from magfsi import curves, plot
 
+    probes = curves.Probes(folder)
     found, faces, body = plot.views(folder)
-    plot.draw_shapes(axes, data.read_json(folder / "scene.json", {}), found, faces, body)
-    axes.set_title("best: " + axes.get_title())
+    across = plot.draw_shapes(axes, probes.scene, found, faces, body)
+    plot.draw_instants(axes, probes, found, across, field=False)
+    axes.set_title(f"the best, run {number}", fontsize=9)
 
 
-def draw(search, points, path, best=None):
-    """best: the run folder of the best, for its shapes."""
+COLUMNS, PANEL_IN = 4, (2.7, 2.35)
+BEST = {"marker": "*", "ms": 12, "color": "#d55e00", "mec": "w", "mew": 0.6, "ls": ""}
+
+
+def _draw_runs(axes, search, points, good, best):
+    """Values run by run, and the best until then."""
+    so_far = []
+    for p in good:
+        so_far.append(p.value if not so_far else (max if search.maximize else min)(so_far[-1], p.value))
+    axes.plot([p.number + 1 for p in good], [p.value for p in good], "o", ms=3.5, color="0.55")
+    axes.step([p.number + 1 for p in good], so_far, where="post", color="#0072b2", lw=1.5)
+    if best:
+        axes.plot([best.number + 1], [best.value], **BEST)
+    for p in points:
+        if not p.good:
+            axes.axvline(p.number + 1, ymax=0.04, color="#d55e00", lw=1)
+    axes.set_xlabel("run (ticks: no value)")
+
+
+def draw(search, points, path, folder=None):
+    """folder: of a run of the best, for its shapes."""
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     numbers = [p for p in search.parameters.values() if not p.words]
-    columns = 1 + len(numbers)
-    figure, axes = plt.subplots(1, columns + bool(best), figsize=(3.4 * (columns + bool(best)), 3.2),
+    good, count = [p for p in points if p.good], 1 + len(numbers) + bool(folder)
+    best = ranked(points, search)[0] if good else None
+    columns = min(COLUMNS, count)
+    rows = -(-count // columns)
+    plt.rcParams.update({"font.size": 8.5, "axes.linewidth": 0.6, "axes.spines.top": False, "axes.spines.right": False})
+    figure, grid = plt.subplots(rows, columns, figsize=(PANEL_IN[0] * columns + 0.6, PANEL_IN[1] * rows),
                                 squeeze=False, constrained_layout=True)
-    *axes, last = axes[0] if best else [*axes[0], None]
-    for other in axes[1:]:
-        other.sharey(axes[0])
-        other.tick_params(labelleft=False)
-    if best:
-        _draw_shapes(last, best)
-    good = [p for p in points if p.good]
-    best, line = None, []
-    for p in good:
-        better = best is None or (p.value > best if search.maximize else p.value < best)
-        best = p.value if better else best
-        line.append(best)
-    axes[0].plot([p.number + 1 for p in good], [p.value for p in good], "o", ms=4, color="0.55")
-    axes[0].step([p.number + 1 for p in good], line, where="post", color="C0")
-    for p in points:
-        if not p.good:
-            axes[0].axvline(p.number + 1, ymax=0.04, color="C3", lw=1)
-    axes[0].set_xlabel("run (red: no value)")
-    axes[0].set_ylabel(search.objective.text)
-    for at, p in zip(axes[1:], numbers):
-        drawn = at.scatter([q.values[p.name] / p.size for q in good], [q.value for q in good],
-                           c=[q.number + 1 for q in good], s=18, cmap="viridis")
-        at.set_xlabel(f"{p.name} [{p.unit}]" if p.unit else p.name)
+    places = list(grid.flat)
+    for unused in places[count:]:
+        unused.set_axis_off()
+    _draw_runs(places[0], search, points, good, best)
+    for number, (axes, p) in enumerate(zip(places[1:], numbers), 1):
+        drawn = axes.scatter([q.values[p.name] / p.size for q in good], [q.value for q in good],
+                             c=[q.number + 1 for q in good], s=16, cmap="viridis")
+        if best:
+            axes.plot([best.values[p.name] / p.size], [best.value], **BEST)
+        axes.set_xlabel(f"{p.name.replace('_', ' ')} [{p.unit}]" if p.unit else p.name)
+        axes.sharey(places[0])
+        axes.tick_params(labelleft=number % columns == 0)
+    for row in range(rows):
+        if row * columns <= len(numbers):
+            places[row * columns].set_ylabel(search.objective.text)
+    if folder and best:
+        _draw_shapes(places[count - 1], folder, best.number + 1)
     if good and numbers:
-        figure.colorbar(drawn, ax=axes, label="run")
+        bar = figure.colorbar(drawn, ax=places[columns - 1] if rows > 1 else places[:count], label="run")
+        bar.outline.set_linewidth(0.4)
     figure.savefig(path, dpi=150)
     plt.close(figure)

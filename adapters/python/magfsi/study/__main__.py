@@ -20,6 +20,8 @@ def arguments():
     parser.add_argument("--out", type=Path, help="runs and results (default: runs/study_NAME)")
     parser.add_argument("--results", type=Path,
                         help="folder for runs.csv, figure.png, results.md (default: OUT)")
+    parser.add_argument("--draw", type=Path, metavar="FOLDER",
+                        help="run nothing: draw FOLDER/figure.png anew from its runs.csv")
     parser.add_argument("--list", action="store_true", help="print the runs, and run nothing")
     parser.add_argument("--only", action="append", metavar="AXIS=VALUE", default=[],
                         help="only the runs with this value, in the study file's words; may be "
@@ -72,6 +74,11 @@ def _conclude(study, planned, results):
 def main():
     chosen = arguments()
     study = read_study(chosen.study)
+    if chosen.draw and not chosen.list:
+        from magfsi.study import figure
+        figure.draw(study, tables.read_csv(study, chosen.draw / "runs.csv"), chosen.draw / "figure.png")
+        print(chosen.draw / "figure.png")
+        return
     out = chosen.out or Path("runs") / f"study_{study.name}"
     planned = store.plan(study, _only(chosen.only, study), out)
     if chosen.list:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error against seconds, both logarithmic, with the Pareto front; legible in grey."""
+"""Error against seconds, both logarithmic, with the Pareto front. Series differ in colour by the first of
+their axes, in dashes by the second, in marks by the third."""
 import math
 import re
 
@@ -7,6 +8,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.patheffects import withStroke  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
@@ -15,8 +17,10 @@ from magfsi.study.tables import percent  # noqa: E402
 
 INK, GREY = "0.1", "0.45"
 MARKERS = "os^Dv<>phX*P"
-FADED = ("0.0", "0.45", "0.25", "0.6")
-LINES = ("-", "--", ":", "-.")
+# Okabe and Ito's, then Tol's muted ones: told apart by colour-blind readers.
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#332288", "#882255", "#777777", "#999933")
+LINES = ("-", (0, (4, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)))
+NORMS = {"final": "at the end", "l2": "root mean square", "max_relative": "largest, relative", "max": "largest"}
 
 
 def _plain(value, _=None):
@@ -26,6 +30,26 @@ def _plain(value, _=None):
 def _short(label):
     """Numbers such as 0.1666666667 in four digits."""
     return re.sub(r"\d+\.\d{5,}", lambda number: f"{float(number.group()):.4g}", label)
+
+
+def _is_number(label):
+    return re.fullmatch(r"[-+0-9.eE]+( \S+)?", label) is not None
+
+
+def _looks(study, runs):
+    """{series: (words, colour, dashes, mark, filled)}; an axis of which all runs have one value is left out."""
+    groups = findings.series(study, runs)
+    values = {axis: list(dict.fromkeys(run.cell.label(axis) for run in runs)) for axis in study.series}
+    varied = [axis for axis in study.series if len(values[axis]) > 1]
+    found = {}
+    for series, group in groups.items():
+        labels = {axis: group[0].cell.label(axis) for axis in varied}
+        at = [values[axis].index(labels[axis]) for axis in varied] + [0, 0, 0]
+        words = ", ".join(f"{axis} {label}" if _is_number(label) else label for axis, label in labels.items())
+        mark = at[2] if len(varied) > 2 else at[0]
+        found[series] = (_short(words) or study.name, COLOURS[at[0] % len(COLOURS)], LINES[at[1] % len(LINES)],
+                         MARKERS[mark % len(MARKERS)], at[1] == 0)
+    return found
 
 
 def _points(study, group, norm):
@@ -56,11 +80,11 @@ def _label_series(axes, ends):
     to_axes = axes.transData + axes.transAxes.inverted()
     at = [to_axes.transform(end) for _, end, _ in ends]
     pixels = axes.get_window_extent().height
-    heights = _spread([y for _, y in at], 10.5 * axes.figure.dpi / 72 / pixels)
+    heights = _spread([y for _, y in at], 11.5 * axes.figure.dpi / 72 / pixels)
     for (label, end, colour), height in zip(ends, heights):
         axes.annotate(label, end, xytext=(1.03, height), textcoords="axes fraction",
-                      fontsize=7, color=colour, va="center", annotation_clip=False,
-                      arrowprops={"arrowstyle": "-", "color": "0.75", "lw": 0.5,
+                      fontsize=8, color=colour, va="center", annotation_clip=False,
+                      arrowprops={"arrowstyle": "-", "color": colour, "lw": 0.4, "alpha": 0.6,
                                   "relpos": (0, 0.5), "shrinkA": 1, "shrinkB": 4})
 
 
@@ -80,7 +104,7 @@ def _place_labels(axes, labels, others):
         tried = []
         for dx, dy, ha, va in PLACES:
             label = axes.annotate(text, at, xytext=(dx, dy), textcoords="offset points",
-                                  fontsize=6.5, color=INK, ha=ha, va=va, zorder=5,
+                                  fontsize=7, color=INK, ha=ha, va=va, zorder=5,
                                   path_effects=[withStroke(linewidth=2.5, foreground="w")])
             box = label.get_window_extent(renderer).padded(2)
             crossed = sum(box.overlaps(b) for b in taken) + sum(
@@ -119,20 +143,26 @@ def _limits(axes, runs, study, norm):
                   max([*y, 100 * study.targets[0]]) * 1.6)
 
 
-def _panel(study, axes, runs, norm):
+def _what(norm):
+    probe = norm.probe.split("[")[0]
+    return f"error of {norm.name.replace('_', ' ')} ({probe}, {NORMS.get(norm.norm, norm.norm.replace('_', ' '))}) [%]"
+
+
+def _panel(study, axes, runs, norm, looks):
     axes.set(xscale="log", yscale="log",
              xlabel=("processor time [s]" if study.cost == "core" else "wall time [s]"),
-             ylabel=f"error of {norm.probe.split('[')[0]}, {norm.norm.replace('_', ' ')} [%]")
+             ylabel=_what(norm))
     _limits(axes, runs, study, norm)
     ends = []
     groups = [(label, *_points(study, group, norm))
               for label, group in findings.series(study, runs).items()]
-    for number, (label, x, y, known) in enumerate(g for g in groups if g[1]):
-        colour = FADED[number % len(FADED)]
-        axes.plot(x, y, LINES[number % len(LINES)] if study.size else "",
-                  marker=MARKERS[number % len(MARKERS)], ms=4.5, color=colour, mew=0, lw=0.9,
-                  zorder=3)
-        ends.append((label, (x[-1], y[-1]), colour))
+    front = findings.pareto(study, runs, norm)
+    for label, x, y, known in (g for g in groups if g[1]):
+        words, colour, dashes, mark, filled = looks[label]
+        first = any(run in front for run in known)  # those that pay are drawn with more weight
+        axes.plot(x, y, ls=dashes if study.size else "", marker=mark, ms=5 if first else 4, color=colour,
+                  mfc=colour if filled else "w", mew=0 if filled else 1, lw=1.6 if first else 0.8, zorder=3)
+        ends.append((words, (x[-1], y[-1]), colour))
     labels = _front(study, axes, runs, norm)
     for target in study.targets:
         axes.axhline(100 * target, color=GREY, lw=0.6, ls=(0, (1, 2)), zorder=0)
@@ -157,16 +187,20 @@ def draw(study, runs, path):
         return False
     plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6, "xtick.major.width": 0.6,
                          "ytick.major.width": 0.6})
-    longest = max(len(label) for label in findings.series(study, runs))
-    beside_in = 0.25 + 0.058 * longest  # of 7 pt characters
+    looks = _looks(study, runs)
+    longest = max(len(words) for words, *_ in looks.values())
+    beside_in = 0.3 + 0.067 * longest  # of 8 pt characters
     width_in = 5.0 + beside_in
     figure, axes = plt.subplots(len(norms), 1, figsize=(width_in, 4.0 * len(norms)),
                                 squeeze=False)
-    panels = [(room, _panel(study, room, runs, norm)) for room, norm in zip(axes.flat, norms)]
+    panels = [(room, _panel(study, room, runs, norm, looks)) for room, norm in zip(axes.flat, norms)]
     numbers = study.order_axis or next(iter(study.axes))
-    axes.flat[0].set_title(f"{study.name}: lines by {', '.join(study.series) or 'nothing'}; "
-                           f"grey steps, rings: Pareto front; numbers: {numbers}", loc="left", fontsize=8)
-    figure.tight_layout(rect=(0, 0, 5.0 / width_in, 1))
+    ring = Line2D([], [], marker="o", ms=9, mfc="none", mec=INK, mew=0.8, color=INK, alpha=0.5, lw=2.2)
+    number = Line2D([], [], marker="$12$", ms=9, color=INK, lw=0, mew=0)
+    figure.legend([ring, number], ["none is cheaper and nearer (Pareto front)", numbers.replace("_", " ")], ncols=2,
+                  loc="upper left", frameon=False, fontsize=8, borderaxespad=0.3, handlelength=2)
+    height_in = figure.get_size_inches()[1]
+    figure.tight_layout(rect=(0, 0, 5.0 / width_in, 1 - 0.3 / height_in))
     figure.canvas.draw()
     for room, (ends, labels) in panels:
         _place_labels(room, labels, [t.get_window_extent() for t in room.texts])

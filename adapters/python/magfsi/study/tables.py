@@ -2,7 +2,7 @@
 """A study as runs.csv, one row a run, and as a short page."""
 import csv
 
-from magfsi.study import findings
+from magfsi.study import findings, marked, product, store
 
 NOTHING = ""
 
@@ -64,6 +64,27 @@ def write_csv(study, runs, path):
         writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
+
+
+def read_csv(study, path):
+    """The runs as write_csv left them: what a figure takes."""
+    def key(settings):
+        return tuple(str(_cell_text(settings[axis].value if unit else settings[axis].label))
+                     for _, axis, unit in _axis_columns(study))
+    known = {key(cell.settings): cell for cell in product.cells(study)}
+    found = []
+    with open(path, newline="") as file:
+        for entry in csv.DictReader(file):
+            cell = known.get(tuple(entry[column] for column, _, _ in _axis_columns(study)))
+            if cell is None:
+                raise marked.InputError(f"{path}: found a run that {study.file} does not have")
+            run = store.Run(cell, record={"outcome": entry["outcome"], "core_s": float(entry["core[s]"] or "nan")},
+                            summary={"wall_s": float(entry["wall[s]"] or "nan")})
+            run.order_axis = study.order_axis
+            run.errors = {norm.name: float(entry[error_column(study, norm)]) for norm in study.norms
+                          if entry[error_column(study, norm)] != NOTHING}
+            found.append(run)
+    return found
 
 
 def _where_and_when(runs):
