@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A row of four lanes is the vector (x, y, z) of a node or a marker. With markers or nodes
-// as lanes the sums would have another order, and the results other last digits.
+// A row of four lanes is the vector (x, y, z) of a node or a marker. With markers or
+// nodes as lanes the sums would have another order, and the results other last digits.
 #include "base/isa/simd.h"
 #include "coupler/immersed_boundary/marker_kernel.h"
 
