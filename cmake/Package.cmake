@@ -24,7 +24,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
   "openmpi-bin, libopenblas0-serial, python3 (>= 3.11), python3-numpy, python3-matplotlib, python3-yaml, python3-vtk9, libjs-chart.js")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS
-  "python3-scipy, xvfb, xauth, python3-optuna, python3-cmaes")
+  "python3-scipy, xvfb, python3-optuna, python3-cmaes")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "magfsi-openfoam, python3-pandas, ffmpeg")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/install/prerm)
 

@@ -6,6 +6,7 @@ picture  with perspective and light, vortices as translucent surfaces
 """
 import os
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -26,16 +27,23 @@ PAPER, INK = (0.957, 0.957, 0.957), (0.1, 0.1, 0.1)
 
 
 def ensure_display():
-    """VTK's OpenGL window wants an X server, also off screen: without one this program runs again
-    under xvfb-run."""
+    """VTK's OpenGL window wants an X server, also off screen: without one this program starts Xvfb, which
+    ends with it. Xvfb chooses the number itself and tells it when it is ready: of two programs under
+    xvfb-run both may take the same."""
     if os.environ.get("DISPLAY"):
         return
-    wrapper = shutil.which("xvfb-run")
-    if wrapper is None:
-        sys.exit("no DISPLAY, and xvfb-run is not installed (apt install xvfb xauth)")
-    # As this program was started: `-P -m magfsi.render` is not in its own arguments.
-    command = Path("/proc/self/cmdline").read_bytes().rstrip(b"\0").split(b"\0")
-    os.execv(wrapper, [wrapper, "-a", "-s", "-screen 0 1600x1200x24", *map(os.fsdecode, command)])
+    if shutil.which("Xvfb") is None:
+        sys.exit("no DISPLAY, and Xvfb is not installed (apt install xvfb)")
+    told, tells = os.pipe()
+    subprocess.Popen(["setpriv", "--pdeathsig", "TERM", "Xvfb", "-displayfd", str(tells), "-screen", "0",
+                      "1600x1200x24", "-nolisten", "tcp"], pass_fds=[tells], start_new_session=True,
+                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(tells)
+    with os.fdopen(told) as file:
+        number = file.readline().strip()
+    if not number:
+        sys.exit("no DISPLAY, and Xvfb ends at once; see what it says: Xvfb -displayfd 1")
+    os.environ["DISPLAY"] = f":{number}"
 
 
 class Stage:
