@@ -127,7 +127,8 @@ class Looked(unittest.TestCase):
         cls.browser.__exit__()
 
     def open(self, page, width=1400, **how):
-        self.browser.open(f"file://{self.html}/{page}", width=width, **how)
+        # Seventy pages on a busy machine: one may wait for its turn for more than a minute.
+        self.browser.open(f"file://{self.html}/{page}", width=width, limit_s=600, **how)
         if self.browser.run("!!document.querySelector('.math')"):
             self.browser.run("new Promise(done => MathJax.Hub.Queue(() => done(1)))")
         self.assertEqual(self.browser.errors(), [], page)

@@ -86,7 +86,7 @@ class Browser:
             if "method" in message:
                 self.events.append(message)
 
-    def open(self, address, width=1400, height=1000, dark=False):
+    def open(self, address, width=1400, height=1000, dark=False, limit_s=60):
         """Returns seconds until the page is loaded, its scripts have run and it is drawn."""
         self("Emulation.setDeviceMetricsOverride", width=width, height=height,
              deviceScaleFactor=1, mobile=False)
@@ -95,7 +95,7 @@ class Browser:
         self.load("about:blank")  # or another time of the same page would load nothing
         self.events = []
         began = time.monotonic()
-        self.load(address)
+        self.load(address, limit_s)
         self.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
         return time.monotonic() - began
 
