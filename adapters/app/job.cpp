@@ -173,7 +173,6 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != launcher) _exit(1);
     sigprocmask(SIG_SETMASK, &signals, nullptr);
-    set_mpirun_environment();
     if (!session.empty()) setenv(session_variable(), session.c_str(), 1);
     dup2(error_pipe, STDERR_FILENO);
     std::vector<char*> words;
@@ -248,6 +247,9 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     shown.clear();
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) no_room("make a pipe", "ulimit -n");
+    // Not in the child: the look-up of a user without HOME waits there for ever where
+    // another thread was looking up the host's name when it was forked.
+    set_mpirun_environment();
     const auto command = mpirun_command(programs);
     const std::string session = session_folder();
     const pid_t launcher = getpid();

@@ -343,9 +343,10 @@ int run(RunOptions options) {
     if (scene.control) need_controller();
     need_stack();
     pass_on_signals();
-    (void)find_mpirun();
-    warn_of_host_name();
+    // Before there is a second thread, which may read the environment.
+    set_mpirun_environment();
     setenv("MAGFSI_COMMAND", options.command.c_str(), 1);  // for run.json
+    warn_of_host_name();
     fs::create_directories(out);
     output::FolderLock lock(out, output::FolderLock::Holder::launcher, 0);
     if (!lock.held())
