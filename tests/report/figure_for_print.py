@@ -66,7 +66,7 @@ class Files(unittest.TestCase):
 
     def test_letters_and_lines_have_the_size_of_print(self):
         svg = self.out.with_suffix(".svg").read_text()  # a unit is a point
-        sizes = {float(size) for size in re.findall(r"font: ([\d.]+)px", svg)}
+        sizes = {float(size) for size in re.findall(r"font(?:-size)?: ([\d.]+)px", svg)}
         self.assertEqual(sizes, {7.2, 8.0})
         self.assertIn(">field [mT]</text>", svg)  # text stays text
         self.assertIn("\u00b5J", svg)
