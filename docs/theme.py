@@ -25,6 +25,10 @@ def mend(static):
     text, imports = re.subn(r'^import .*"\./gumshoe-patched\.js";\n', "", script.read_text())
     if imports:
         script.write_text((static / "scripts/gumshoe-patched.js").read_text() + text)
+        for page in static.parent.rglob("*.html"):
+            text = page.read_text()
+            page.write_text(re.sub(r'<script [^>]*scripts/furo\.js[^>]*>',
+                                   lambda tag: tag[0].replace(' type="module"', ""), text))
     style = static / "styles/furo.css"
     style.write_text(re.sub(r"^@import url\(/javascript/normalize\.css/.*?\);",
                             lambda _: NORMALIZE.read_text(), style.read_text()))
