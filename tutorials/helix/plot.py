@@ -48,10 +48,11 @@ def means(frequency, time, lag, x):
 
 def draw_lags(axes, runs, step_out):
     shades = plt.colormaps[SLOW_TO_FAST](np.linspace(0.05, 0.8, len(runs)))
-    for (frequency, time, lag, _), shade in zip(runs, shades):
+    for number, ((frequency, time, lag, _), shade) in enumerate(zip(runs, shades)):
         shown = np.degrees(lag) <= MOST_DEG
+        above = -4 if number == 0 else 4  # the first two end close to each other
         axes.plot(time[shown], np.degrees(lag)[shown], lw=1.4, color=shade)
-        axes.annotate(f"{frequency:g} Hz", (time[shown][-1], np.degrees(lag)[shown][-1]), xytext=(4, 0),
+        axes.annotate(f"{frequency:g} Hz", (time[shown][-1], np.degrees(lag)[shown][-1]), xytext=(4, above),
                       textcoords="offset points", color=shade, va="center")
         if frequency < step_out:
             axes.axhline(math.degrees(math.asin(frequency / step_out)), color="0.6", lw=0.8, ls="--", zorder=0)
