@@ -21,6 +21,7 @@
 #include "adapters/app/job.h"
 #include "adapters/run_scene.h"
 #include "adapters/solvers/openfoam/explain.h"
+#include "base/files/temporary_folder.h"
 #include "coupler/output/file.h"
 #include "coupler/output/run_folder.h"
 #include "coupler/participants/errors.h"
@@ -40,26 +41,8 @@ fluid: {box: [8 mm, 8 mm, 8 mm], spacing: 1 mm, density: 1000 kg/m3,
         viscosity: 10 mm2/s, expected_speed: 0.1 m/s}
 )";
 
-// Makes a folder with a unique name in `where`, as proof that it is writable.
-fs::path new_folder(const fs::path& where) {
-    std::string name = (where / "magfsi-doctor-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-        throw Fault(
-            fmt::format("no folder can be made in {}; make it writable", where.string()));
-    return name;
-}
-
-// A temporary folder that is removed with its contents at the end of its scope.
-struct Folder {
-    explicit Folder(const fs::path& where) : path(new_folder(where)) {}
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    fs::path path;
-};
+// The names of the folders that it makes begin with this.
+constexpr const char* own_name = "magfsi-doctor";
 
 // Decimal megabytes, rounded down.
 std::string megabytes(std::uintmax_t bytes) {
@@ -90,7 +73,7 @@ std::string look_at_name() {
 // Checks that the folder is writable and has `least` bytes left. /dev/shm carries the
 // messages between ranks of one machine.
 std::string look_at_space(const fs::path& where, std::uintmax_t least) {
-    const Folder folder(where);
+    const files::TemporaryFolder folder(own_name, where);  // a proof that it is writable
     const fs::space_info space = fs::space(where);
     if (space.available < least)
         throw Fault(fmt::format("{} has {} left, at least {} are needed; make room",
@@ -101,8 +84,8 @@ std::string look_at_space(const fs::path& where, std::uintmax_t least) {
 
 // Run folders are protected by file locks, which some network file systems lack.
 std::string look_at_locks() {
-    const Folder folder(fs::current_path());
-    const output::FolderLock lock(folder.path, output::FolderLock::Holder::launcher, 0);
+    const files::TemporaryFolder folder(own_name, fs::current_path());
+    const output::FolderLock lock(folder.path(), output::FolderLock::Holder::launcher, 0);
     if (!lock.held())
         throw Fault(
             "the file system here has no locks: two runs in one folder would not "
@@ -143,8 +126,8 @@ std::string look_at_mpirun() {
 // Starts mpirun with two ranks of the fluid solver, the only check that shows a broken
 // MPI.
 std::string look_at_mpi() {
-    const Folder folder(fs::temp_directory_path());
-    const fs::path scene = folder.path / "scene.yaml";
+    const files::TemporaryFolder folder(own_name);
+    const fs::path scene = folder / "scene.yaml";
     output::write_atomically(scene, small_scene);
     const fs::path program =
         fs::read_symlink("/proc/self/exe").parent_path() / "magfsi-fluid-lbm";
@@ -153,9 +136,9 @@ std::string look_at_mpi() {
     const JobEnd end = run_job({{"fluid",
                                  2,
                                  {program.string(), scene.string(), "--out",
-                                  (folder.path / "run").string(), "--progress", "off"}}},
+                                  (folder / "run").string(), "--progress", "off"}}},
                                OnStop::end);
-    if (end.exit_code != 0 || !fs::exists(folder.path / "run" / "summary.json"))
+    if (end.exit_code != 0 || !fs::exists(folder / "run" / "summary.json"))
         throw Fault(
             fmt::format("two ranks of mpirun ended with code {}; what it said is "
                         "above",

@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "adapters/app/mpirun.h"
+#include "base/files/temporary_folder.h"
 
 namespace magfsi::launch {
 
@@ -61,13 +62,10 @@ const char* session_variable() {
 
 std::string session_folder() {
     if (has_more_machines()) return "";
-    std::string folder = "/tmp";
-    for (const char* name : {"TMP", "TEMP", "TMPDIR", session_variable()})
-        if (const char* chosen = std::getenv(name)) folder = chosen;
-    std::error_code fault;  // mpirun says it, too
-    fs::create_directories(folder, fault);
-    folder += "/magfsi-mpi-XXXXXX";
-    return mkdtemp(folder.data()) ? folder : "";
+    const char* const chosen = std::getenv(session_variable());
+    const fs::path above = chosen ? fs::path(chosen) : files::temporary_files();
+    fs::create_directories(above);
+    return files::make_folder(above, "magfsi-mpi").string();
 }
 
 bool HungMpirun::now(pid_t mpirun) {

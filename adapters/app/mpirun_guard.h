@@ -15,9 +15,10 @@ namespace magfsi::launch {
 
 // Makes the folder in which one mpirun keeps its own files. Otherwise jobs of Open MPI 4
 // share one, and fail when another job removes it at that moment ("A call to mkdir was
-// unable to create the desired directory"); one of Open MPI 5 is named after the process,
-// and fails where a killed job with the same number has left it ("PMIX_ERR_EXISTS").
-// Returns "", for mpirun's own choice, on several machines and where none can be made.
+// unable to create the desired directory"). The folder of Open MPI 5 is named after the
+// process: a job fails where a killed one with the same number has left it
+// ("PMIX_ERR_EXISTS"). Returns "", for mpirun's own choice, on several machines. Throws
+// std::runtime_error if no folder can be made.
 std::string session_folder();
 
 // Name of the environment variable by which mpirun is told the folder.

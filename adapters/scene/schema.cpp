@@ -203,7 +203,7 @@ those of which none may be there as well. Groups of keys are folded.
 // screens.
 constexpr std::size_t most_unfolded = 3;
 
-// Whether a key must be there and what it is without: "required", "default ...".
+// Says whether a key must be there and what it is without: "required", "default ...".
 std::string presence(const Field& field) {
     if (!field.fallback.empty()) return fmt::format("default `{}`", field.fallback);
     if (field.presence == Presence::alternative) return "one of these";
@@ -211,7 +211,7 @@ std::string presence(const Field& field) {
     return field.presence == Presence::required ? "required" : "";
 }
 
-// What the value of a key may be.
+// Says what the value of a key may be.
 std::string value(const Field& field) {
     switch (field.kind) {
         case Kind::group:

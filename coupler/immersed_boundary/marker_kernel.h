@@ -6,8 +6,8 @@
 
 namespace magfsi::coupler {
 
-// A node during a substep. Velocity [m/s] and force [N] have four numbers, a whole vector
-// of the machine; the fourth has no meaning.
+// A node during a substep. Its velocity [m/s] and its force [N] have four numbers each,
+// so that they are whole vectors of the processor; the fourth number has no meaning.
 struct alignas(64) NodeRow {
     double velocity[4];
     double force[4];

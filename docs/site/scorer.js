@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Of pages that have a word alike, the reference of scenes comes first, and last what is for developers:
-// Sphinx would go by the alphabet. The other numbers are its own.
+// The search lists the reference of scenes before other pages that have a word equally often, and pages
+// for developers last: Sphinx would go by the alphabet. The other numbers are its own.
 var Scorer = {
   score: ([page, , , , score]) => score + (page === "docs/scene" ? 2 : 0) -
     (/^(CHANGELOG|CONTRIBUTING)$|^docs\/(lab|adding_|cpp_|references|stability)/.test(page) ? 3 : 0),

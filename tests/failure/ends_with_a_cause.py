@@ -248,6 +248,15 @@ class Mpirun(unittest.TestCase):
             self.assertEqual(len(set(folders)), 2, folders)
             self.assertFalse([each for each in folders if Path(each).exists()], folders)
 
+    def test_without_a_folder_of_temporary_files(self):
+        with unittest.mock.patch.dict(os.environ, TMPDIR="/proc/none"):
+            os.environ.pop("OMPI_MCA_orte_tmpdir_base", None)
+            os.environ.pop("PRTE_MCA_prte_tmpdir_base", None)
+            run = testing.run(testing.SMALL, self.SETTINGS, limit_s=LIMIT_S)
+        self.assertEqual(run.code, 1, run.err)
+        self.assertIn("the folder of temporary files (/proc/none) is not to be had", run.err)
+        self.assertIn("set TMPDIR", run.err)
+
 
 class BadInput(unittest.TestCase):
     def test_nothing_is_written(self):

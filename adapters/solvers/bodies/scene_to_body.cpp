@@ -23,6 +23,7 @@
 
 #include "adapters/scene/fault.h"
 #include "adapters/solvers/bodies/filled_cubes.h"
+#include "base/files/temporary_folder.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/locate.h"
@@ -34,30 +35,6 @@ namespace magfsi::bodies {
 namespace fs = std::filesystem;
 
 namespace {
-
-// A new folder among the system's temporary files, removed at the end with its contents.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "magfsi-mesh-XXXXXX").string();
-        if (!mkdtemp(name.data()))
-            throw std::runtime_error(fmt::format(
-                "the temporary folder {} cannot be made: {}; set TMPDIR to a folder that "
-                "can be written",
-                name, std::strerror(errno)));
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    fs::path operator/(const char* name) const { return path_ / name; }
-
-  private:
-    fs::path path_;
-};
 
 // Results of `run` beside exit statuses.
 constexpr int not_started = -1, crashed = -2;
@@ -100,7 +77,7 @@ structure::Mesh convert(const std::string& file, double unit_m) {
             "no mesh file {}; its path counts from the scene's folder", file));
     const fs::path converter =
         fs::read_symlink("/proc/self/exe").parent_path() / "magfsi-mesh";
-    const TemporaryFolder folder;
+    const files::TemporaryFolder folder("magfsi-mesh");
     const auto mesh = folder / "body.mesh", messages = folder / "messages";
     const int status = run({converter.string(), file, mesh.string(), "--unit",
                             fmt::format("{:.17g}", unit_m)},
