@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every test is in one tier, and the table of claims in CONTRIBUTING.md names tests that are there.
+"""Every test is in one tier; the table of claims in CONTRIBUTING.md names tests that are there, its walks
+functions that are in the files beside them.
 
     tiers.py BUILD      the build's folder, whose tests are listed by ctest
 """
@@ -53,6 +54,17 @@ class Tiers(unittest.TestCase):
                     known = self.tiers.get(name) or self.tiers.get(name + "_1") or self.tiers.get(name + "_2")
                     self.assertIsNotNone(known, f"{row['claim']}: there is no test {name}")
                     self.assertIn(known[0], tiers, f"{row['claim']}: {name}")
+
+
+class Walks(unittest.TestCase):
+    def test_each_function_is_in_its_file(self):
+        text = (ROOT / "CONTRIBUTING.md").read_text().split("## Three walks")[1].split("\n## ")[0]
+        # "`Class::name` ... ([file](path))"; names in between say who calls it.
+        steps = re.findall(r"`([\w:.]+)[^`]*`[^\[\]]*\(\[[^\]]+\]\(([^)]+)\)", text)
+        self.assertGreater(len(steps), 20)
+        for function, file in steps:
+            name = re.split(r"::|\.", function)[-1]
+            self.assertRegex((ROOT / file).read_text(), rf"\b{name}\b", f"{function} in {file}")
 
 
 if __name__ == "__main__":
