@@ -13,6 +13,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/process/keep_libraries.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/processes.h"
 #include "coupler/participants/waiting.h"
@@ -176,6 +177,7 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         std::fflush(nullptr);
         MPI_Abort(MPI_COMM_WORLD, ending.code);
     }
+    keep_libraries();
     MPI_Finalize();
     return exit_done;
 }

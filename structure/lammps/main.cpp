@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 
+#include "base/process/keep_libraries.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/register_styles.h"
 #include "structure/lattice/lattice.h"
@@ -113,6 +114,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "magfsi-lammps: {}\n", error.what());
         MPI_Abort(MPI_COMM_WORLD, 1);
     }
+    magfsi::keep_libraries();
     MPI_Finalize();
     return 0;
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include "base/process/keep_libraries.h"
+
 int main(int argc, char** argv) {
     MPI_Init(&argc, &argv);
     ::testing::InitGoogleTest(&argc, argv);
@@ -16,6 +18,7 @@ int main(int argc, char** argv) {
     }
     int any = 0;
     MPI_Allreduce(&failed, &any, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    magfsi::keep_libraries();
     MPI_Finalize();
     return any;
 }

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/isa/instruction_set.h"
+#include "base/process/keep_libraries.h"
 #include "tests/bench/lbm/measure.h"
 
 namespace magfsi::bench {
@@ -166,6 +167,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "{}\n", error.what());
         MPI_Abort(MPI_COMM_WORLD, 1);
     }
+    magfsi::keep_libraries();
     MPI_Finalize();
     return code;
 }

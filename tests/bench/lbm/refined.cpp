@@ -10,6 +10,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "base/process/keep_libraries.h"
 #include "fluid_lbm/refinement/refined_fluid.h"
 #include "tests/bench/lbm/measure.h"
 
@@ -104,5 +105,6 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     MPI_Init(nullptr, nullptr);
     magfsi::bench::run(levels, repetitions);
+    magfsi::keep_libraries();
     MPI_Finalize();
 }

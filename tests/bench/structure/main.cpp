@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "base/process/keep_libraries.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/register_styles.h"
 #include "structure/lammps/script.h"
@@ -209,6 +210,7 @@ int main(int argc, char** argv) {
     }
     if (json) std::printf("}\n");
     std::filesystem::remove_all(name);
+    magfsi::keep_libraries();
     MPI_Finalize();
     return 0;
 }
