@@ -8,6 +8,7 @@
 #include <cctype>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
@@ -109,6 +110,14 @@ void check_files(const Scene& scene, const Marks& marks) {
         }
     }
     if (!scene.fluid) return;
+    if (const auto& openfoam = scene.fluid->openfoam) {
+        for (const auto& [key, file] :
+             {std::pair{"schemes", openfoam->schemes},
+              std::pair{"solution", openfoam->solution},
+              std::pair{"functions", openfoam->functions}})
+            if (file)
+                require_regular_file(*file, marks.value({"fluid", "openfoam", key}));
+    }
     for (const Obstacle& obstacle : scene.fluid->obstacles) {
         if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
             require_regular_file(
@@ -150,6 +159,11 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
     for (const Obstacle& obstacle : scene.fluid.value_or(Fluid{}).obstacles) {
         if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
             files.emplace_back(surface->file);
+    }
+    if (scene.fluid && scene.fluid->openfoam) {
+        const OpenFoam& openfoam = *scene.fluid->openfoam;
+        for (const auto& file : {openfoam.schemes, openfoam.solution, openfoam.functions})
+            if (file) files.emplace_back(*file);
     }
     const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder / "."));
     std::erase_if(files, [&](fs::path& file) {

@@ -228,6 +228,9 @@ void check_output(const Scene& scene, const Marks& marks) {
                      marks.value({"output", "fluid", "fields"}), "the field obstacle",
                      "obstacles");
     }
+    if (scene.fluid && scene.fluid->openfoam && scene.fluid->openfoam->write)
+        check_interval(scene, scene.fluid->openfoam->write->every_s,
+                       marks.value({"fluid", "openfoam", "write", "every"}));
 }
 
 }  // namespace

@@ -47,6 +47,12 @@ std::uint64_t state_hash(const Scene& scene) {
         endless.coupling->timeout_s.reset();
         endless.coupling->overlap = {};
     }
+    if (endless.fluid && endless.fluid->openfoam) {
+        OpenFoam& openfoam = *endless.fluid->openfoam;
+        openfoam.functions.reset();
+        openfoam.write.reset();
+        if (!openfoam.schemes && !openfoam.solution) endless.fluid->openfoam.reset();
+    }
     if (endless.control) endless.control->timeout_s = Control{}.timeout_s;
     return scene_hash(endless);
 }

@@ -162,6 +162,30 @@ void keys(Io& io, Grading& grading) {
        grading.growth);
 }
 
+// Keys of `openfoam.write`.
+template <class Io>
+void keys(Io& io, FoamWrite& write) {
+    io(quantity("every", "s", "Time between two time folders; the last time has one, too.")
+           .above(0), write.every_s);
+    io(key("format", "Format of the numbers in the fields.").by_default(), write.format);
+}
+
+// Keys of `openfoam`.
+template <class Io>
+void keys(Io& io, OpenFoam& openfoam) {
+    io(key("schemes",
+           "Name of a dictionary whose entries override those of the generated fvSchemes. Its "
+           "path counts from the scene's folder."), openfoam.schemes);
+    io(key("solution", "The same for fvSolution."), openfoam.solution);
+    io(key("functions",
+           "Name of a dictionary with function objects, one beside the other or within "
+           "functions {}. They run along and write to openfoam/postProcessing of the run folder."),
+       openfoam.functions);
+    io(key("write",
+           "Fields in OpenFOAM's own format: time folders in openfoam/ of the run folder, with "
+           "the mesh."), openfoam.write);
+}
+
 // Keys of `refinement`.
 template <class Io>
 void keys(Io& io, Refinement& refinement) {
@@ -254,6 +278,9 @@ void keys(Io& io, Fluid& fluid) {
     io(key("grading",
            "Larger cells away from the bodies, for solver openfoam. The lattice stays "
            "uniform."), fluid.grading);
+    io(key("openfoam",
+           "Dictionaries of the user's that are merged into OpenFOAM's case, and fields in its "
+           "format, for solver openfoam. Other solvers leave it alone."), fluid.openfoam);
     io(key("refinement",
            "Finer cells and steps around the bodies, or in a part of the box, for solver "
            "lbm."), fluid.refinement);

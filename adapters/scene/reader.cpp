@@ -91,6 +91,11 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
             if (auto* surface = std::get_if<StlSurface>(&obstacle.shape))
                 surface->file = (folder / surface->file).string();
         }
+        if (auto& openfoam = scene.fluid->openfoam) {
+            for (auto* file :
+                 {&openfoam->schemes, &openfoam->solution, &openfoam->functions})
+                if (*file) *file = (folder / **file).string();
+        }
     }
     if (scene.magnetic_field) complete(*scene.magnetic_field, folder);
     if (scene.gravity) normalise(scene.gravity->direction);

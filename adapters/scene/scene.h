@@ -143,6 +143,23 @@ struct Grading {
     double growth = 1.1;              // largest ratio of neighbouring cells
 };
 
+// Time folders in OpenFOAM's own format, for paraFoam and postProcess.
+enum class FoamFormat { ascii, binary };
+constexpr auto words_of(FoamFormat) {
+    return std::to_array<std::string_view>({"ascii", "binary"});
+}
+struct FoamWrite {
+    double every_s = 0;
+    FoamFormat format = FoamFormat::ascii;
+};
+
+// What a user of OpenFOAM adds to the generated case: dictionaries that are merged into
+// fvSchemes, fvSolution and controlDict, and fields. The lattice has none of it.
+struct OpenFoam {
+    std::optional<std::string> schemes, solution, functions;  // files
+    std::optional<FoamWrite> write;
+};
+
 // Refined grid of the lattice: a patch of finer cells that follows the bodies or stays in
 // a part of the box. With every level the spacing and the fluid's step halve; the coupled
 // step is that of the finest level.
@@ -175,6 +192,7 @@ struct Fluid : fluid::Options {
     double lattice_speed = 0.05;           // expected speed in cells a step (Mach limit)
     double courant = 0.2;                  // expected speed in cells a step, for openfoam
     std::optional<Grading> grading;        // openfoam only
+    std::optional<OpenFoam> openfoam;      // openfoam only
     std::optional<Refinement> refinement;  // lbm only
     std::optional<Vec3> initial_velocity_m_s;
     // Alternative to initial_velocity_m_s.

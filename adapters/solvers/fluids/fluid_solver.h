@@ -65,6 +65,11 @@ class FluidSolver : public coupler::GridFluid {
     // Called at the end of every coupled step, on all ranks.
     virtual void check_divergence() = 0;
 
+    // Files of the solver's own beside those of the participant. If it has some, record()
+    // is called at the end of every coupled step, with true after the run's last one.
+    virtual bool has_own_files() const { return false; }
+    virtual void record(bool /*last*/) {}
+
     // Number of cells, method and other facts of the solver for summary.json.
     virtual output::FluidSummary summary() const = 0;
     // Names and versions of the solver's libraries for summary.json.

@@ -5,12 +5,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "adapters/scene/scene.h"
 #include "adapters/solvers/openfoam/inlet.h"
 #include "adapters/solvers/openfoam/mesh.h"
+#include "adapters/solvers/openfoam/user_files.h"
 #include "coupler/output/file.h"
 
 namespace magfsi::openfoam {
@@ -113,10 +117,25 @@ endTime {1:.17g};
 deltaT {0:.17g};
 writeControl timeStep;
 writeInterval {2};
+writeFormat {3};
 writePrecision 12;
 timeFormat general;
 timePrecision 15;
 runTimeModifiable false;
+)";
+
+// A function object for stock programs: fields at the end of the run.
+constexpr const char* write_last_time = R"(
+functions
+{
+    lastTime
+    {
+        type writeObjects;
+        libs (utilityFunctionObjects);
+        objects (U p phi);
+        writeControl onEnd;
+    }
+}
 )";
 
 // Schemes of second order in time and space. Central differences are taken because an
@@ -199,9 +218,56 @@ void write_foam_file(const std::filesystem::path& folder, const char* location,
     std::filesystem::create_directories(folder / location);
     output::write_atomically(
         folder / location / name,
-        fmt::format("FoamFile {{ version 2.0; format ascii; class {}; location \"{}\"; "
+        fmt::format("// Every run writes this file anew; entries of your own: "
+                    "fluid.openfoam of the scene.\n"
+                    "FoamFile {{ version 2.0; format ascii; class {}; location \"{}\"; "
                     "object {}; }}\n{}",
                     type, location, name, text));
+}
+
+// Names in system/ of the copies of the user's dictionaries.
+constexpr const char* user_schemes = "userSchemes";
+constexpr const char* user_solution = "userSolution";
+constexpr const char* user_functions = "userFunctions";
+
+// Copies a dictionary of the user's into the case. Returns the line that merges it.
+std::string merge(const std::filesystem::path& folder, const char* name,
+                  const std::optional<std::string>& text) {
+    if (!text) return "";
+    std::filesystem::create_directories(folder / "system");
+    output::write_atomically(folder / "system" / name, *text);
+    return fmt::format("#include \"{}\"\n", name);
+}
+
+// The last corrector must not be relaxed, or the step would be incomplete.
+constexpr const char* whole_last_corrector = R"(
+relaxationFactors
+{
+    fields { ".*Final" 1; }
+    equations { ".*Final" 1; }
+}
+)";
+
+// Writes the dictionaries of system/ with the user's merged into them.
+void write_system(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                  const CaseTimes& times, const std::string& more_control) {
+    const UserFiles user = read_user_files(fluid);
+    const auto format = fluid.openfoam && fluid.openfoam->write
+                            ? fluid.openfoam->write->format
+                            : scene::FoamFormat::ascii;
+    std::string functions = merge(folder, user_functions, user.functions);
+    if (user.functions && !user.functions_are_grouped)
+        functions = fmt::format("functions\n{{\n    {}}}\n", functions);
+    write_foam_file(
+        folder, "system", "controlDict", "dictionary",
+        fmt::format(fmt::runtime(control), times.step_s, 1.0 * times.steps * times.step_s,
+                    times.steps_between_files, scene::name_of(format)) +
+            functions + more_control);
+    write_foam_file(folder, "system", "fvSchemes", "dictionary",
+                    schemes + merge(folder, user_schemes, user.schemes));
+    write_foam_file(folder, "system", "fvSolution", "dictionary",
+                    solution + merge(folder, user_solution, user.solution) +
+                        (user.has_relaxation ? whole_last_corrector : ""));
 }
 
 // Writes 0/U, with the condition at_inlet(side) for each inlet.
@@ -218,42 +284,75 @@ void write_velocity(const std::filesystem::path& folder, const scene::Fluid& flu
                           }));
 }
 
-// Deletes all that the engine reads from a folder used before: a body force or mesh of an
-// earlier run, or foreign files, which may contain code (OpenFOAM compiles code in
-// dictionaries).
-void clear_stock_case(const std::filesystem::path& folder) {
-    for (const char* part : {"0", "constant", "system"})
-        std::filesystem::remove_all(folder / part);
-}
-
-}  // namespace
-
-// The end time and the intervals matter only to stock programs.
-void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
-                const CaseTimes& times) {
-    clear_stock_case(folder);
-    write_foam_file(
-        folder, "system", "controlDict", "dictionary",
-        fmt::format(fmt::runtime(control), times.step_s, 1.0 * times.steps * times.step_s,
-                    times.steps_between_files));
-    write_foam_file(folder, "system", "fvSchemes", "dictionary", schemes);
-    write_foam_file(folder, "system", "fvSolution", "dictionary", solution);
-    write_foam_file(
-        folder, "constant", "transportProperties", "dictionary",
-        fmt::format("transportModel Newtonian;\nnu {:.17g};\n", fluid.viscosity_m2_s));
-    write_foam_file(folder, "constant", "turbulenceProperties", "dictionary",
-                    "simulationType laminar;\n");
-    write_velocity(folder, fluid,
-                   [&](std::size_t side) { return entries_of(fluid, side).velocity; });
+void write_pressure(const std::filesystem::path& folder, const scene::Fluid& fluid) {
     write_foam_file(folder, "0", "p", "volScalarField",
                     field("[0 2 -2 0 0 0 0]", "0", [&](std::size_t side) {
                         return entries_of(fluid, side).pressure;
                     }));
 }
 
-// The file 0/U is written again, with the inlets' expressions in place of zero velocity.
+std::filesystem::path folder_of_rank(const std::filesystem::path& folder, int rank) {
+    return folder / fmt::format("processor{}", rank);
+}
+
+// True for the folder of a time or of a rank, and for what function objects have written.
+bool is_result(const std::string& name) {
+    return std::isdigit(static_cast<unsigned char>(name.front())) != 0 ||
+           name.starts_with("processor") || name == "postProcessing";
+}
+
+// Deletes all that the engine reads from a folder used before: a body force or mesh of an
+// earlier run, or foreign files, which may contain code (OpenFOAM compiles code in
+// dictionaries). Results stay where the run goes on, on as many ranks as before.
+void clear_stock_case(const std::filesystem::path& folder, bool goes_on, int ranks) {
+    namespace fs = std::filesystem;
+    for (const char* part : {"0", "constant", "system"}) fs::remove_all(folder / part);
+    if (!fs::exists(folder)) return;
+    std::vector<fs::path> results, of_ranks;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (is_result(name)) results.push_back(entry.path());
+        if (name.starts_with("processor")) of_ranks.push_back(entry.path());
+    }
+    const bool same_ranks = of_ranks.size() == (ranks > 1 ? std::size_t(ranks) : 0);
+    for (const fs::path& path : !goes_on ? results : same_ranks ? std::vector<fs::path>()
+                                                                : of_ranks)
+        fs::remove_all(path);
+}
+
+}  // namespace
+
+bool has_own_files(const scene::Fluid& fluid) {
+    return fluid.openfoam && (fluid.openfoam->write || fluid.openfoam->functions);
+}
+
+// The end time and the intervals matter only to stock programs.
+void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                const CaseTimes& times, int ranks) {
+    const bool parts = has_own_files(fluid) && ranks > 1;
+    clear_stock_case(folder, times.goes_on, parts ? ranks : 1);
+    write_system(folder, fluid, times, "");
+    write_foam_file(
+        folder, "constant", "transportProperties", "dictionary",
+        fmt::format("transportModel Newtonian;\nnu {:.17g};\n", fluid.viscosity_m2_s));
+    write_foam_file(folder, "constant", "turbulenceProperties", "dictionary",
+                    "simulationType laminar;\n");
+    std::vector<std::filesystem::path> folders{folder};
+    for (int rank = 0; parts && rank < ranks; ++rank)
+        folders.push_back(folder_of_rank(folder, rank));
+    for (const auto& one : folders) {
+        write_velocity(one, fluid,
+                       [&](std::size_t side) { return entries_of(fluid, side).velocity; });
+        write_pressure(one, fluid);
+    }
+}
+
+// The file 0/U is written again, with the inlets' expressions in place of zero velocity,
+// and controlDict where the last step is none of those that have a time folder.
 void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
-                   const BoxMesh& mesh) {
+                   const CaseTimes& times, const BoxMesh& mesh) {
+    if (times.steps % times.steps_between_files != 0)
+        write_system(folder, fluid, times, write_last_time);
     write_foam_file(folder, "system", "blockMeshDict", "dictionary",
                     block_mesh(fluid, mesh));
     if (fluid.body_force_n_m3)

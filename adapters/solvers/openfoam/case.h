@@ -17,19 +17,26 @@ namespace magfsi::openfoam {
 struct CaseTimes {
     double step_s = 0;
     std::int64_t steps = 1;
-    // Steps between field files of a stock run; the engine writes none.
+    // Steps between time folders: of a stock run, and with fluid.openfoam.write of the
+    // run itself.
     std::int64_t steps_between_files = 1;
+    // The run continues another in the same folder, whose time folders stay.
+    bool goes_on = false;
 };
 
-// Deletes and writes system/, constant/ and 0/ in `folder`. Called by rank 0 only. Throws
-// output::FileError.
-void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
-                const CaseTimes& times);
+// True if the scene asks for files of OpenFOAM's own: time folders or function objects.
+bool has_own_files(const scene::Fluid& fluid);
 
-// Adds blockMeshDict, the body force and the inlets' conditions for stock programs. Must
-// be called after the engine has read the case: within the engine these parts come from
-// FoamFluid and would act twice.
+// Deletes and writes system/, constant/ and 0/ in `folder`, the user's dictionaries among
+// them. With files of OpenFOAM's own each of several ranks has its folder processorN/ as
+// in any parallel case. Called by rank 0 only. Throws output::FileError.
+void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                const CaseTimes& times, int ranks);
+
+// Adds blockMeshDict, the body force, the inlets' conditions and the last time's folder
+// for stock programs. Must be called after the engine has read the case: within the
+// engine these parts come from FoamFluid and would act twice.
 void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
-                   const BoxMesh& mesh);
+                   const CaseTimes& times, const BoxMesh& mesh);
 
 }  // namespace magfsi::openfoam

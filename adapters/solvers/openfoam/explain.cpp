@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/openfoam/inlet.h"
 #include "adapters/solvers/openfoam/mesh.h"
+#include "adapters/solvers/openfoam/user_files.h"
 #include "base/fitted/constants.h"
 
 namespace magfsi::openfoam {
@@ -24,6 +26,18 @@ constexpr double rounded = 1.005;
 // A line of the table: name and SI value.
 std::string row(const char* name, const std::string& si) {
     return fmt::format("  {:<34} {:>14}\n", name, si);
+}
+
+// The user's dictionaries and the time folders.
+std::string own_rows(const scene::OpenFoam& own) {
+    std::string text;
+    for (const auto& [into, file] : {std::pair{"fvSchemes", own.schemes},
+                                     std::pair{"fvSolution", own.solution},
+                                     std::pair{"functions of controlDict", own.functions}})
+        if (file) text += fmt::format("  {} merged into {}\n", *file, into);
+    if (own.write)
+        text += row("time folders every", fmt::format("{:.4g} ms", own.write->every_s * 1e3));
+    return text;
 }
 
 // Longest edge of any cell [m].
@@ -49,6 +63,7 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& /*solids*/,
             integral.name));
     }
     const scene::Fluid& fluid = *scene.fluid;
+    read_user_files(fluid);  // refuses entries that break the coupling
     const double step_s = *scene::coupled_step_s(scene);
     const BoxMesh mesh = to_mesh(fluid, 0, 1);
     for (int side = 0; side < 6; ++side)
@@ -73,6 +88,7 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& /*solids*/,
     }
     text += fmt::format("  {} x {} x {} = {:.0f} cells, about {:.0f} MB\n", n[0], n[1],
                         n[2], cells, cells * fitted::openfoam_bytes_per_cell / 1e6);
+    if (fluid.openfoam) text += own_rows(*fluid.openfoam);
     if (courant > max_courant * rounded) {
         text += fmt::format(
             "  warning: a Courant number of {:.3g} is inaccurate: take a time.step of "

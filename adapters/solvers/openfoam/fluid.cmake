@@ -5,7 +5,8 @@ add_library(magfsi_openfoam_scene STATIC
   solvers/openfoam/engine_library.cpp
   solvers/openfoam/explain.cpp
   solvers/openfoam/inlet.cpp
-  solvers/openfoam/mesh.cpp)
+  solvers/openfoam/mesh.cpp
+  solvers/openfoam/user_files.cpp)
 target_link_libraries(magfsi_openfoam_scene
   PUBLIC magfsi_run_scene PRIVATE fmt::fmt ${CMAKE_DL_LIBS})
 target_link_libraries(magfsi_fluid_solvers INTERFACE magfsi_openfoam_scene)

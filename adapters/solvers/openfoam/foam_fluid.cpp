@@ -76,10 +76,12 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
         for (int i = 0; i < cells_[d]; ++i)
             width_m_[d].push_back(plane[i + 1] - plane[i]);
     }
-    if (mesh_.rank == 0) write_case(case_folder, fluid, times);
+    if (mesh_.rank == 0) write_case(case_folder, fluid, times, size_of(comm));
     MPI_Barrier(comm);
     set_world(comm);
-    engine_ = load_engine({way_for_openfoam(case_folder), mesh_});
+    const scene::OpenFoam own = fluid.openfoam.value_or(scene::OpenFoam{});
+    engine_ = load_engine({way_for_openfoam(case_folder), mesh_,
+                           own.functions.has_value(), own.write.has_value()});
     if (fluid.body_force_n_m3) begin_force();
     for (int side = 0; side < 6; ++side) {
         if (fluid.boundaries[side].kind != fluid::BoundaryKind::velocity_inlet) continue;
@@ -87,7 +89,7 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
             inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
     }
     MPI_Barrier(comm);  // all ranks have read the case
-    if (mesh_.rank == 0) complete_case(case_folder, fluid, mesh_);
+    if (mesh_.rank == 0) complete_case(case_folder, fluid, times, mesh_);
     set_inlets(0);
 }
 

@@ -42,6 +42,8 @@ class FoamFluid final : public fluids::FluidSolver {
     double quantity(scene::FluidQuantity quantity) override;
     void field(scene::FluidField field, std::size_t level, std::span<float> out) override;
     void check_divergence() override;
+    bool has_own_files() const override { return openfoam::has_own_files(fluid_); }
+    void record(bool last) override { engine_->record(last); }
     output::FluidSummary summary() const override;
     output::Named<std::string> versions() const override;
     void save(coupler::StateWriter* file) override;

@@ -10,8 +10,8 @@
 #include "adapters/solvers/fluids/participant.h"
 #include "adapters/solvers/openfoam/foam_fluid.h"
 
-// Stock programs get field files as often as the scene's output asks, or ten over the
-// run.
+// Time folders come as often as fluid.openfoam.write or else the scene's output asks, or
+// ten over the run; without `write` only stock programs write them.
 int main(int argc, char** argv) {
     using namespace magfsi;
     return run_scene(
@@ -25,6 +25,9 @@ int main(int argc, char** argv) {
                                       std::max<std::int64_t>(1, clock.steps() / 10)};
             if (const auto& output = scene.output.fluid)
                 times.steps_between_files = clock.every(output->every_s);
+            if (const auto& own = scene.fluid->openfoam; own && own->write)
+                times.steps_between_files = clock.every(own->write->every_s);
+            times.goes_on = session.restart() != nullptr;
             openfoam::FoamFluid fluid(session.world().local(), *scene.fluid, times,
                                       session.out() / "openfoam");
             fluids::Participant(scene, session, fluid, arguments.progress).run();

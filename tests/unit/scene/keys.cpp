@@ -113,6 +113,12 @@ TEST(Keys, of_the_fluid) {
     ASSERT_TRUE(f.grading);
     EXPECT_EQ(f.grading->uniform_m[1], (Vec3{6e-3, 3e-3, 4e-3}));
     EXPECT_EQ(f.grading->growth, 1.2);
+    ASSERT_TRUE(f.openfoam);
+    EXPECT_EQ(f.openfoam->schemes, (test_folder / "complete/fine/schemes").string());
+    EXPECT_EQ(f.openfoam->solution, (test_folder / "complete/solution").string());
+    EXPECT_EQ(f.openfoam->functions, "/funcs");  // from the root
+    EXPECT_EQ(f.openfoam->write->every_s, 5e-3);
+    EXPECT_EQ(f.openfoam->write->format, FoamFormat::binary);
     EXPECT_EQ(f.collision, Collision::bgk);
     EXPECT_EQ(f.boundaries[0].kind, BoundaryKind::periodic);
     EXPECT_EQ(f.boundaries[1].kind, BoundaryKind::periodic);

@@ -30,6 +30,9 @@ struct EngineSetup {
     std::string case_folder;  // absolute, with system/, constant/ and 0/
     // The mesh of this rank; boundary files of the case name its sides x_min to z_max.
     BoxMesh mesh;
+    // The case's function objects run along, and time folders are written. With either,
+    // each of several ranks has its own folder in the case, processorN.
+    bool runs_functions = false, writes_fields = false;
 };
 
 // State of the flow in this rank's slab, all that the next step depends on.
@@ -78,6 +81,11 @@ class Engine {
 
     // Writes curl u [1/s], three numbers a cell. Collective.
     virtual void vorticity(double* out) = 0;
+
+    // Writes a time folder, if it is time for one or `last`, and runs the function
+    // objects; does nothing unless the setup asks for it. Called once after every step
+    // that will not be repeated. Collective.
+    virtual void record(bool last) = 0;
 
     // Version of OpenFOAM's libraries.
     virtual std::string version() const = 0;

@@ -9,6 +9,8 @@
 
 #include "adapters/solvers/openfoam/engine/box_mesh.h"
 #include "adapters/solvers/openfoam/engine/engine.h"
+#include "adapters/solvers/openfoam/engine/functions.h"
+#include "dynamicCode.H"
 #include "foamVersion.H"
 #include "fvCFD.H"
 #include "fvMatrices.H"
@@ -122,14 +124,21 @@ auto guarded(Work&& work) -> decltype(work()) {
     }
 }
 
+// The case of this rank: a folder in that of all ranks where several write files.
+Foam::fileName case_of_rank(const EngineSetup& setup) {
+    const Foam::fileName whole = Foam::fileName(setup.case_folder).name();
+    const bool files = setup.runs_functions || setup.writes_fields;
+    if (!files || setup.mesh.first_cell.size() <= 2) return whole;
+    return whole / ("processor" + std::to_string(setup.mesh.rank));
+}
+
 // The engine on one rank. Members are initialised in the order that OpenFOAM requires:
 // time, mesh, fields, models.
 class PimpleEngine final : public Engine {
   public:
     explicit PimpleEngine(const EngineSetup& setup)
         : time_(Foam::Time::controlDictName, Foam::fileName(setup.case_folder).path(),
-                Foam::fileName(setup.case_folder).name(), "system", "constant", false,
-                false),
+                case_of_rank(setup), "system", "constant", false, false),
           mesh_(make_mesh(time_, setup.mesh)),
           places_(face_places(setup.mesh)),
           pimple_(mesh_()),
@@ -143,6 +152,8 @@ class PimpleEngine final : public Engine {
         Foam::setRefCell(p_, pimple_.dict(), reference_cell_, reference_pressure_);
         mesh_->setFluxRequired(p_.name());
         turbulence_->validate();
+        if (setup.writes_fields) begin_writing();
+        if (setup.runs_functions) functions_.make(time_);
     }
 
     // The internal field holds three doubles a cell (static_assert above).
@@ -225,12 +236,29 @@ class PimpleEngine final : public Engine {
         });
     }
 
+    // The end is moved to the present time for function objects that run at the end, for
+    // a run may be stopped before its own.
+    void record(bool last) override {
+        guarded([&] {
+            if (writes_ && (last || time_.writeTime())) time_.writeNow();
+            if (last) time_.setEndTime(time_.value());
+            functions_.run(last);
+        });
+    }
+
     std::string version() const override {
         return std::to_string(Foam::foamVersion::api);
     }
 
   private:
     void step();
+
+    // Writes the mesh, and marks the fields that time folders have.
+    void begin_writing() {
+        mesh_->write();
+        p_.writeOpt() = u_.writeOpt() = phi_.writeOpt() = Foam::IOobject::AUTO_WRITE;
+        writes_ = true;
+    }
 
     Foam::Time time_;
     Foam::autoPtr<Foam::fvMesh> mesh_;
@@ -248,6 +276,8 @@ class PimpleEngine final : public Engine {
     Foam::label reference_cell_ = 0;
     Foam::scalar reference_pressure_ = 0;
     Foam::scalar continuity_error_ = 0;
+    bool writes_ = false;  // time folders
+    Functions functions_;  // refer to the members above
 };
 
 // One step of pimpleFoam. The local names are those that the included solver files use.
@@ -293,6 +323,8 @@ magfsi::openfoam::Engine* magfsi_openfoam_engine(
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
     Foam::messageStream::level = 0;  // no log of every linear solve
+    // A scene may come from a stranger: its dictionaries compile and run nothing.
+    Foam::dynamicCode::allowSystemOperations = 0;
     if (setup.mesh.first_cell.size() > 2 && !Foam::UPstream::parRun()) {
         int arguments = 0;
         char** none = nullptr;
