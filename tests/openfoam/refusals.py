@@ -31,6 +31,14 @@ class Refusals(unittest.TestCase):
         self.refused({"fluid.obstacles": "{ball: {sphere: {centre: [1 mm, 1 mm, 1 mm], "
                                          "diameter: 1 mm}}}"}, "obstacles", "lbm")
 
+    def test_a_dictionary_that_breaks_the_coupling(self):
+        file = Path(testing.new_folder()) / "mine"
+        file.write_text("ddtSchemes { default steadyState; }\n")
+        self.refused({"fluid.openfoam.schemes": str(file)}, "mine:1", "steadyState", "Euler")
+        file.write_text("a { type coded; }\n")
+        self.refused({"fluid.openfoam.functions": str(file)}, "mine:1", "coded")
+        self.refused({"fluid.openfoam.solution": str(file) + "_lost"}, "cannot be read")
+
     def test_a_uniform_part_beyond_the_box(self):
         self.refused({"fluid.grading.uniform": "[[1 mm, 1 mm, 1 mm], [9 mm, 3 mm, 5 mm]]"},
                      "uniform", "along x")

@@ -55,10 +55,13 @@ DRIVEN = FLUID.format(name="driven", end="100 ms", fluid="""
 BOUND = 1e-6
 
 
+def environment():
+    return {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
+
+
 def stock(case):
-    environment = {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
     for program in ("blockMesh", "pimpleFoam"):
-        done = subprocess.run([program, "-case", case], env=environment, capture_output=True,
+        done = subprocess.run([program, "-case", case], env=environment(), capture_output=True,
                               text=True, timeout=120)
         if done.returncode != 0:
             raise AssertionError(f"{program}: {done.stdout[-2000:]}{done.stderr}")

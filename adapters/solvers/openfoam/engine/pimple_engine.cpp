@@ -253,9 +253,10 @@ class PimpleEngine final : public Engine {
   private:
     void step();
 
-    // Writes the mesh, and marks the fields that time folders have.
+    // Writes the mesh, once, and marks the fields that time folders have.
     void begin_writing() {
         mesh_->write();
+        mesh_->setInstance(time_.constant(), Foam::IOobject::NO_WRITE);
         p_.writeOpt() = u_.writeOpt() = phi_.writeOpt() = Foam::IOobject::AUTO_WRITE;
         writes_ = true;
     }
