@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -25,8 +26,10 @@ namespace {
 
 // Entries in the order of the enumeration scene::FluidSolver.
 const std::array fluid_programs = std::to_array<FluidProgram>({
-    {"magfsi-fluid-lbm", [] { return std::string(); }, &lbm::explain, true},
-    {"magfsi-fluid-openfoam", &openfoam::missing, &openfoam::explain, false},
+    {"magfsi-fluid-lbm", [] { return std::string(); }, &lbm::explain,
+     [](const scene::Scene&) { return std::numeric_limits<int>::max(); }, true},
+    {"magfsi-fluid-openfoam", &openfoam::missing, &openfoam::explain,
+     &openfoam::most_ranks, false},
 });
 static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
               scene::names<scene::FluidSolver>.size());
@@ -35,7 +38,8 @@ static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
 // that the fluid may use every core.
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
-    return std::min(worthwhile_parts(*scene.fluid), available_cores());
+    return std::min({worthwhile_parts(*scene.fluid), available_cores(),
+                     fluid_program(scene).most_ranks(scene)});
 }
 
 // Refuses far more ranks than cores: they take turns on the cores, and a large job hardly
@@ -139,6 +143,12 @@ Ranks choose_ranks(const scene::Scene& scene, const bodies::Solids& solids,
         ranks[role] = number;
     }
     check_number(ranks);
+    if (scene.fluid && ranks.at("fluid") > fluid_program(scene).most_ranks(scene)) {
+        throw std::invalid_argument(
+            fmt::format("--ranks fluid={}: allowed is {} for this scene's fluid.solver; "
+                        "OpenFOAM's mesh around obstacles is not cut into parts",
+                        ranks.at("fluid"), fluid_program(scene).most_ranks(scene)));
+    }
     if (ranks.contains("structure"))
         check_structure(scene, solids, ranks.at("structure"));
     return ranks;

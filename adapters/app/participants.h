@@ -22,6 +22,8 @@ struct FluidProgram {
     // solver refuses.
     std::string (*explain)(const scene::Scene& scene, const bodies::Solids& solids,
                            int ranks);
+    // Returns the largest number of ranks on which the solver runs the scene.
+    int (*most_ranks)(const scene::Scene& scene);
     // True if cost.h predicts time and memory of this solver.
     bool predicted;
 };

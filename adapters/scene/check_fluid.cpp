@@ -175,7 +175,6 @@ void check_openfoam(const Fluid& fluid, const Marks& marks) {
         require(!present, where, fmt::format("{} with fluid.solver openfoam", what),
                 "only with the solver lbm", "set solver: lbm, or leave it out");
     };
-    not_there(!fluid.obstacles.empty(), marks.key({"fluid", "obstacles"}), "obstacles");
     not_there(fluid.smagorinsky_constant > 0, marks.key({"fluid", "smagorinsky"}),
               "smagorinsky");
     not_there(fluid.rheology.has_value(), marks.key({"fluid", "rheology"}), "a rheology");

@@ -107,12 +107,11 @@ void check_point(const Scene& scene, const PointProbe& point, const Marks& marks
     }
 }
 
-// The plane must cut the box, and the solver must have planes.
+// The plane must cut the fluid's box.
 void check_plane(const Scene& scene, const std::string& name, const FluidPlane& plane,
                  const Marks& marks) {
-    if (!scene.fluid || scene.fluid->solver != FluidSolver::lbm)
-        refuse(marks.key({"probes", "integrals", name, "plane"}),
-               "a plane without a fluid of the solver lbm", "it with fluid.solver: lbm");
+    require_with(scene.fluid.has_value(),
+                 marks.key({"probes", "integrals", name, "plane"}), "a plane", "a fluid");
     const std::size_t axis = plane.axis;
     const std::string side = metres(scene.fluid->box_m[axis]);
     require(plane.at_m >= 0 && plane.at_m <= scene.fluid->box_m[axis],
@@ -168,10 +167,7 @@ void check_probes(const Scene& scene, const Marks& marks) {
     require_with(!asks(probes.fluid, FluidQuantity::obstacle_force) ||
                      !scene.fluid->obstacles.empty(),
                  marks.value({"probes", "fluid"}), "the probe obstacle_force",
-                 "obstacles",
-                 fluid && scene.fluid->solver != FluidSolver::lbm
-                     ? "leave it out: only fluid.solver: lbm has obstacles"
-                     : "add fluid.obstacles");
+                 "obstacles", "add fluid.obstacles");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_force) || fluid,
                  marks.value({"probes", "bodies"}), "the probe fluid_force", "a fluid");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_torque) || fluid,

@@ -27,9 +27,19 @@ class Refusals(unittest.TestCase):
         finally:
             del os.environ["WM_PROJECT_DIR"]
 
-    def test_obstacles(self):
-        self.refused({"fluid.obstacles": "{ball: {sphere: {centre: [1 mm, 1 mm, 1 mm], "
-                                         "diameter: 1 mm}}}"}, "obstacles", "lbm")
+    def test_an_obstacle_across_a_periodic_side(self):
+        self.refused({"fluid.boundaries": "{y_min: periodic, y_max: periodic}", "fluid.obstacles":
+                      "{ball: {sphere: {centre: [1 mm, 0.2 mm, 1 mm], diameter: 1 mm}}}"}, "ball", "y_min")
+
+    def test_obstacles_on_two_ranks(self):
+        folder = Path(testing.new_folder()) / "run"
+        run = testing.run(testing.SMALL, {
+            "fluid.solver": "openfoam",
+            "fluid.obstacles": "{ball: {sphere: {centre: [1 mm, 1 mm, 1 mm], diameter: 1 mm}}}"},
+            "fluid=2", folder=folder, limit_s=60)
+        self.assertEqual(run.code, 2, run.err)
+        self.assertIn("fluid=2", run.err)
+        self.assertFalse(folder.exists())
 
     def test_a_dictionary_that_breaks_the_coupling(self):
         file = Path(testing.new_folder()) / "mine"

@@ -12,19 +12,16 @@
 #include <vector>
 
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/openfoam/block_mesh.h"
 #include "adapters/solvers/openfoam/inlet.h"
 #include "adapters/solvers/openfoam/mesh.h"
+#include "adapters/solvers/openfoam/mesh_programs.h"
 #include "adapters/solvers/openfoam/user_files.h"
 #include "coupler/output/file.h"
 
 namespace magfsi::openfoam {
 
 namespace {
-
-// Corners of each side of the box in blockMesh's numbering, in the order seen from
-// outside.
-constexpr std::array<const char*, 6> sides = {"(0 4 7 3)", "(1 2 6 5)", "(0 1 5 4)",
-                                              "(3 7 6 2)", "(0 3 2 1)", "(4 5 6 7)"};
 
 // A vector in OpenFOAM's syntax.
 std::string vector(const scene::Vec3& v) {
@@ -62,37 +59,6 @@ SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
         "type wall;",
         fmt::format("type fixedValue; value uniform {};", vector(side.wall_velocity_m_s)),
         "type zeroGradient;"};
-}
-
-// Cell widths along an axis as blockMesh's grading: one section per cell, so that any
-// grading can be written.
-std::string widths(const std::vector<double>& planes_m) {
-    std::string text = "(";
-    for (std::size_t i = 1; i < planes_m.size(); ++i)
-        text += fmt::format("({:.17g} 1 1)", planes_m[i] - planes_m[i - 1]);
-    return text + ")";
-}
-
-// Text of blockMeshDict: a single block with the cells of `mesh`.
-std::string block_mesh(const scene::Fluid& fluid, const BoxMesh& mesh) {
-    std::string text = "scale 1;\nvertices\n(\n";
-    for (int i = 0; i < 8; ++i) {  // around the lower square, then around the upper one
-        const auto& end_m = mesh.planes_m;
-        text += fmt::format(
-            "    {}\n", vector({(i + 1) / 2 % 2 * end_m[0].back(),
-                                i / 2 % 2 * end_m[1].back(), i / 4 * end_m[2].back()}));
-    }
-    const auto n = mesh_cells(mesh);
-    text += fmt::format(
-        ");\nblocks\n(\n    hex (0 1 2 3 4 5 6 7) ({} {} {}) simpleGrading\n    "
-        "(\n        {}\n        {}\n        {}\n    )\n);\nedges ();\nboundary\n(\n",
-        n[0], n[1], n[2], widths(mesh.planes_m[0]), widths(mesh.planes_m[1]),
-        widths(mesh.planes_m[2]));
-    for (std::size_t side = 0; side < 6; ++side)
-        text +=
-            fmt::format("    {} {{ {} faces ({}); }}\n", scene::names<scene::Face>[side],
-                        entries_of(fluid, side).patch, sides[side]);
-    return text + ");\nmergePatchPairs ();\n";
 }
 
 // The body force as a stock fvOption. OpenFOAM takes force over mass [m/s2].
@@ -157,6 +123,16 @@ interpolationSchemes { default linear; }
 snGradSchemes { default orthogonal; }
 )";
 
+// Where snappyHexMesh has moved points, faces are not normal to the lines between cells:
+// gradients along these lines are corrected, the pressure's in one more solution.
+constexpr const char* oblique_schemes = R"(
+laplacianSchemes { default Gauss linear corrected; }
+snGradSchemes { default corrected; }
+)";
+constexpr const char* oblique_solution = R"(
+PIMPLE { nNonOrthogonalCorrectors 1; }
+)";
+
 // One outer pass of PISO with two pressure corrections, of second order at small Courant
 // numbers. maxIter bounds the time that a diverged step takes; check_divergence reports
 // it right after the step.
@@ -192,9 +168,11 @@ PIMPLE
 }
 )";
 
-// Text of a field file: a uniform interior and the condition at_side(side) for each side.
+// Text of a field file: a uniform interior and the condition at_side(side) for each side,
+// and at_obstacle at each obstacle.
 template <class AtSide>
-std::string field(const std::string& dimensions, const std::string& inside,
+std::string field(const scene::Fluid& fluid, const std::string& dimensions,
+                  const std::string& inside, const std::string& at_obstacle,
                   AtSide&& at_side) {
     std::string text =
         fmt::format("dimensions {};\ninternalField uniform {};\nboundaryField\n{{\n",
@@ -203,6 +181,8 @@ std::string field(const std::string& dimensions, const std::string& inside,
         text += fmt::format("    {} {{ {} }}\n", scene::names<scene::Face>[side],
                             at_side(side));
     }
+    for (const scene::Obstacle& obstacle : fluid.obstacles)
+        text += fmt::format("    {} {{ {} }}\n", patch_name(obstacle), at_obstacle);
     // Patches between ranks are addressed by their type, for their number depends on the
     // ranks.
     for (const char* between : {"processor", "processorCyclic"}) {
@@ -263,10 +243,13 @@ void write_system(const std::filesystem::path& folder, const scene::Fluid& fluid
         fmt::format(fmt::runtime(control), times.step_s, 1.0 * times.steps * times.step_s,
                     times.steps_between_files, scene::name_of(format)) +
             functions + more_control);
+    const bool snapped = times.snapped;
     write_foam_file(folder, "system", "fvSchemes", "dictionary",
-                    schemes + merge(folder, user_schemes, user.schemes));
+                    schemes + std::string(snapped ? oblique_schemes : "") +
+                        merge(folder, user_schemes, user.schemes));
     write_foam_file(folder, "system", "fvSolution", "dictionary",
-                    solution + merge(folder, user_solution, user.solution) +
+                    solution + std::string(snapped ? oblique_solution : "") +
+                        merge(folder, user_solution, user.solution) +
                         (user.has_relaxation ? whole_last_corrector : ""));
 }
 
@@ -274,9 +257,9 @@ void write_system(const std::filesystem::path& folder, const scene::Fluid& fluid
 void write_velocity(const std::filesystem::path& folder, const scene::Fluid& fluid,
                     const std::function<std::string(std::size_t side)>& at_inlet) {
     write_foam_file(folder, "0", "U", "volVectorField",
-                    field("[0 1 -1 0 0 0 0]",
+                    field(fluid, "[0 1 -1 0 0 0 0]",
                           vector(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
-                          [&](std::size_t side) {
+                          "type fixedValue; value uniform (0 0 0);", [&](std::size_t side) {
                               const auto kind = fluid.boundaries[side].kind;
                               return kind == fluid::BoundaryKind::velocity_inlet
                                          ? at_inlet(side)
@@ -284,11 +267,20 @@ void write_velocity(const std::filesystem::path& folder, const scene::Fluid& flu
                           }));
 }
 
+void write_block_mesh(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                      const BoxMesh& mesh, const ObstaclePlan& plan) {
+    write_foam_file(folder, "system", "blockMeshDict", "dictionary",
+                    block_mesh(fluid, mesh, plan, [&](std::size_t side) {
+                        return entries_of(fluid, side).patch;
+                    }));
+}
+
 void write_pressure(const std::filesystem::path& folder, const scene::Fluid& fluid) {
     write_foam_file(folder, "0", "p", "volScalarField",
-                    field("[0 2 -2 0 0 0 0]", "0", [&](std::size_t side) {
-                        return entries_of(fluid, side).pressure;
-                    }));
+                    field(fluid, "[0 2 -2 0 0 0 0]", "0", "type zeroGradient;",
+                          [&](std::size_t side) {
+                              return entries_of(fluid, side).pressure;
+                          }));
 }
 
 std::filesystem::path folder_of_rank(const std::filesystem::path& folder, int rank) {
@@ -347,14 +339,23 @@ void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
     }
 }
 
+// The dictionaries of the mesh come first, for its programs read them.
+void make_obstacle_mesh(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                        const BoxMesh& mesh, const ObstaclePlan& plan) {
+    write_block_mesh(folder, fluid, mesh, plan);
+    if (!plan.snapped.empty())
+        write_foam_file(folder, "system", "snappyHexMeshDict", "dictionary",
+                        snappy_dict(folder, fluid, plan));
+    make_mesh_files(folder, plan);
+}
+
 // The file 0/U is written again, with the inlets' expressions in place of zero velocity,
 // and controlDict where the last step is none of those that have a time folder.
 void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                    const CaseTimes& times, const BoxMesh& mesh) {
     if (times.steps % times.steps_between_files != 0)
         write_system(folder, fluid, times, write_last_time);
-    write_foam_file(folder, "system", "blockMeshDict", "dictionary",
-                    block_mesh(fluid, mesh));
+    if (fluid.obstacles.empty()) write_block_mesh(folder, fluid, mesh, {});
     if (fluid.body_force_n_m3)
         write_foam_file(folder, "constant", "fvOptions", "dictionary", body_force(fluid));
     write_velocity(folder, fluid, [&](std::size_t side) {

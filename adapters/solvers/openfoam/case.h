@@ -10,6 +10,7 @@
 
 #include "adapters/scene/scene.h"
 #include "adapters/solvers/openfoam/engine/engine.h"
+#include "adapters/solvers/openfoam/obstacles.h"
 
 namespace magfsi::openfoam {
 
@@ -22,6 +23,8 @@ struct CaseTimes {
     std::int64_t steps_between_files = 1;
     // The run continues another in the same folder, whose time folders stay.
     bool goes_on = false;
+    // snappyHexMesh moves points of the mesh.
+    bool snapped = false;
 };
 
 // True if the scene asks for files of OpenFOAM's own: time folders or function objects.
@@ -32,6 +35,11 @@ bool has_own_files(const scene::Fluid& fluid);
 // in any parallel case. Called by rank 0 only. Throws output::FileError.
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                 const CaseTimes& times, int ranks);
+
+// Makes the mesh of a scene with obstacles in the case, by OpenFOAM's programs. Called by
+// rank 0 only, after write_case.
+void make_obstacle_mesh(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                        const BoxMesh& mesh, const ObstaclePlan& plan);
 
 // Adds blockMeshDict, the body force, the inlets' conditions and the last time's folder
 // for stock programs. Must be called after the engine has read the case: within the

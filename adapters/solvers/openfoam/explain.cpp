@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <limits>
 #include <utility>
 
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/openfoam/inlet.h"
 #include "adapters/solvers/openfoam/mesh.h"
+#include "adapters/solvers/openfoam/obstacles.h"
 #include "adapters/solvers/openfoam/user_files.h"
 #include "base/fitted/constants.h"
 
@@ -40,6 +41,18 @@ std::string own_rows(const scene::OpenFoam& own) {
     return text;
 }
 
+// How each obstacle is cut out of the mesh.
+std::string obstacle_rows(const scene::Fluid& fluid, const BoxMesh& mesh) {
+    const ObstaclePlan plan = plan_obstacles(fluid, mesh);
+    std::string text;
+    for (const CutBox& box : plan.cut)
+        text += row(fluid.obstacles[box.obstacle].name.c_str(), "by the blocks");
+    for (const std::size_t i : plan.snapped)
+        text += row(fluid.obstacles[i].name.c_str(), "snappyHexMesh");
+    if (!plan.snapped.empty()) point_in_fluid(fluid);  // refuses a box without fluid
+    return text;
+}
+
 // Longest edge of any cell [m].
 double largest_cell_m(const BoxMesh& mesh) {
     double largest = 0;
@@ -52,16 +65,13 @@ double largest_cell_m(const BoxMesh& mesh) {
 
 }  // namespace
 
+int most_ranks(const scene::Scene& scene) {
+    return scene.fluid->obstacles.empty() ? std::numeric_limits<int>::max() : 1;
+}
+
 // The Reynolds number of a cell is U h / nu, its Courant number U dt / h.
 std::string explain(const scene::Scene& scene, const bodies::Solids& /*solids*/,
                     int /*ranks*/) {
-    for (const auto& integral : scene.probes.value_or(scene::Probes{}).integrals) {
-        if (!std::holds_alternative<scene::FluidPlane>(integral.over)) continue;
-        throw std::invalid_argument(fmt::format(
-            "probes.integrals.{}: no planes of the fluid with fluid.solver openfoam; set "
-            "solver: lbm, or leave it out",
-            integral.name));
-    }
     const scene::Fluid& fluid = *scene.fluid;
     read_user_files(fluid);  // refuses entries that break the coupling
     const double step_s = *scene::coupled_step_s(scene);
@@ -88,6 +98,7 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& /*solids*/,
     }
     text += fmt::format("  {} x {} x {} = {:.0f} cells, about {:.0f} MB\n", n[0], n[1],
                         n[2], cells, cells * fitted::openfoam_bytes_per_cell / 1e6);
+    text += obstacle_rows(fluid, mesh);
     if (fluid.openfoam) text += own_rows(*fluid.openfoam);
     if (courant > max_courant * rounded) {
         text += fmt::format(

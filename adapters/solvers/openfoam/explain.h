@@ -14,6 +14,9 @@ namespace magfsi::openfoam {
 // refuses.
 std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int ranks);
 
+// Largest number of ranks on which the scene's fluid runs.
+int most_ranks(const scene::Scene& scene);
+
 // Returns why this build cannot run OpenFOAM and what to do, or "". Only looks for files
 // and loads nothing.
 std::string missing();

@@ -168,9 +168,10 @@ std::vector<double> load_rows(const coupler::StateReader& file, const char* tabl
 
 }  // namespace
 
-// Writes one table for the cells and one for the faces across each axis.
-void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
-               coupler::StateWriter* file) {
+namespace {
+
+// The rows of the table of cells.
+std::vector<double> rows_of_cells(const FlowState& state) {
     std::vector<double> cells;
     for (std::size_t c = 0; c < state.pressure.size(); ++c) {
         for (const auto* velocity : {&state.velocity, &state.old_velocity}) {
@@ -178,23 +179,61 @@ void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
         }
         cells.push_back(state.pressure[c]);
     }
-    save_rows(comm, part_of(mesh, 3), cells, values_per_cell, "cells", file);
-    for (std::size_t d = 0; d < 3; ++d)
-        save_rows(comm, part_of(mesh, d), state.flux[d], 1, flux_table[d], file);
+    return cells;
 }
 
-// The inverse of save_flow, on any number of ranks.
-FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file) {
+// The inverse.
+FlowState state_of(const std::vector<double>& cells) {
     FlowState state;
-    const auto cells = load_rows(file, "cells", part_of(mesh, 3), values_per_cell);
     for (std::size_t c = 0; c < cells.size(); c += values_per_cell) {
         const auto row = cells.begin() + static_cast<std::ptrdiff_t>(c);
         state.velocity.insert(state.velocity.end(), row, row + 3);
         state.old_velocity.insert(state.old_velocity.end(), row + 3, row + 6);
         state.pressure.push_back(row[6]);
     }
+    return state;
+}
+
+}  // namespace
+
+// Writes one table for the cells and one for the faces across each axis.
+void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
+               coupler::StateWriter* file) {
+    save_rows(comm, part_of(mesh, 3), rows_of_cells(state), values_per_cell, "cells", file);
+    for (std::size_t d = 0; d < 3; ++d)
+        save_rows(comm, part_of(mesh, d), state.flux[d], 1, flux_table[d], file);
+}
+
+// The inverse of save_flow, on any number of ranks.
+FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file) {
+    FlowState state =
+        state_of(load_rows(file, "cells", part_of(mesh, 3), values_per_cell));
     for (std::size_t d = 0; d < 3; ++d)
         state.flux[d] = load_rows(file, flux_table[d], part_of(mesh, d), 1);
+    return state;
+}
+
+void save_listed_flow(const FlowState& state, coupler::StateWriter* file) {
+    if (!file) return;
+    file->table("cells", rows_of_cells(state), {state.pressure.size(), values_per_cell});
+    file->table("face_flux", state.face_flux, {state.face_flux.size(), 1});
+}
+
+// The mesh is made anew by the same programs from the same dictionaries; the numbers of
+// its cells and faces tell whether it is the same.
+FlowState load_listed_flow(const Engine* engine, const coupler::StateReader& file) {
+    FlowState now;
+    engine->keep(now);
+    FlowState state = state_of(file.table("cells"));
+    if (file.has("face_flux")) state.face_flux = file.table("face_flux");
+    if (state.pressure.size() != now.pressure.size() ||
+        state.face_flux.size() != now.face_flux.size()) {
+        throw coupler::StateFault(fmt::format(
+            "--restart: the checkpoint has {} cells and {} faces, this run's mesh {} and "
+            "{}: it is of another mesh; start without --restart",
+            state.pressure.size(), state.face_flux.size(), now.pressure.size(),
+            now.face_flux.size()));
+    }
     return state;
 }
 

@@ -49,6 +49,10 @@ FastestCell fastest_cell(std::size_t cells, const double* velocity);
 void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
                coupler::StateWriter* file);
 
+// The same for a mesh that was read, which is on one rank: cells and faces in their order.
+void save_listed_flow(const FlowState& state, coupler::StateWriter* file);
+FlowState load_listed_flow(const Engine* engine, const coupler::StateReader& file);
+
 // Reads this rank's part of a checkpoint. Throws coupler::StateFault if the file belongs
 // to another mesh.
 FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file);

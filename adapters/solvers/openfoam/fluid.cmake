@@ -6,18 +6,21 @@ add_library(magfsi_openfoam_scene STATIC
   solvers/openfoam/explain.cpp
   solvers/openfoam/inlet.cpp
   solvers/openfoam/mesh.cpp
+  solvers/openfoam/obstacles.cpp
   solvers/openfoam/user_files.cpp)
 target_link_libraries(magfsi_openfoam_scene
-  PUBLIC magfsi_run_scene PRIVATE fmt::fmt ${CMAKE_DL_LIBS})
+  PUBLIC magfsi_run_scene PRIVATE magfsi_fluid fmt::fmt ${CMAKE_DL_LIBS})
 target_link_libraries(magfsi_fluid_solvers INTERFACE magfsi_openfoam_scene)
 
 add_library(magfsi_openfoam_participant STATIC
+  solvers/openfoam/block_mesh.cpp
   solvers/openfoam/case.cpp
   solvers/openfoam/flow.cpp
   solvers/openfoam/foam_fluid.cpp
+  solvers/openfoam/mesh_programs.cpp
   solvers/openfoam/world_of_openfoam.cpp)
 target_link_libraries(magfsi_openfoam_participant
-  PUBLIC magfsi_fluid_participant magfsi_openfoam_scene PRIVATE fmt::fmt)
+  PUBLIC magfsi_fluid_participant magfsi_openfoam_scene PRIVATE magfsi_fluid fmt::fmt)
 
 # ENABLE_EXPORTS: OpenFOAM finds our MPI functions before MPI's.
 add_executable(magfsi-fluid-openfoam solvers/openfoam/main.cpp)
@@ -28,7 +31,8 @@ set_property(GLOBAL APPEND PROPERTY MAGFSI_FLUID_PROGRAMS magfsi-fluid-openfoam)
 if(MAGFSI_OPENFOAM)
   add_library(magfsi_openfoam_engine MODULE
     solvers/openfoam/engine/box_mesh.cpp
-    solvers/openfoam/engine/pimple_engine.cpp)
+    solvers/openfoam/engine/pimple_engine.cpp
+    solvers/openfoam/engine/plane.cpp)
   set_target_properties(magfsi_openfoam_engine PROPERTIES
     CXX_STANDARD 17 LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
   target_link_libraries(magfsi_openfoam_engine PRIVATE magfsi_options magfsi_openfoam_headers)

@@ -16,6 +16,7 @@
 #include "adapters/solvers/openfoam/flow.h"
 #include "adapters/solvers/openfoam/inlet.h"
 #include "adapters/solvers/openfoam/mesh.h"
+#include "adapters/solvers/openfoam/obstacles.h"
 #include "adapters/solvers/openfoam/world_of_openfoam.h"
 #include "base/words/path_word.h"
 #include "coupler/checkpoint/state_file.h"
@@ -76,21 +77,47 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
         for (int i = 0; i < cells_[d]; ++i)
             width_m_[d].push_back(plane[i + 1] - plane[i]);
     }
-    if (mesh_.rank == 0) write_case(case_folder, fluid, times, size_of(comm));
+    const ObstaclePlan plan = plan_obstacles(fluid, mesh_);
+    CaseTimes with_plan = times;
+    with_plan.snapped = !plan.snapped.empty();
+    if (mesh_.rank == 0) {
+        write_case(case_folder, fluid, with_plan, size_of(comm));
+        if (!fluid.obstacles.empty()) make_obstacle_mesh(case_folder, fluid, mesh_, plan);
+    }
     MPI_Barrier(comm);
     set_world(comm);
     const scene::OpenFoam own = fluid.openfoam.value_or(scene::OpenFoam{});
-    engine_ = load_engine({way_for_openfoam(case_folder), mesh_,
+    engine_ = load_engine({way_for_openfoam(case_folder), mesh_, !fluid.obstacles.empty(),
                            own.functions.has_value(), own.write.has_value()});
+    if (!fluid.obstacles.empty()) take_cells();
     if (fluid.body_force_n_m3) begin_force();
     for (int side = 0; side < 6; ++side) {
         if (fluid.boundaries[side].kind != fluid::BoundaryKind::velocity_inlet) continue;
         if (double* faces = engine_->side_velocity(side))
-            inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
+            inlets_.push_back({side, faces,
+                               fluid.obstacles.empty()
+                                   ? slab_shape(fluid_, mesh_, side)
+                                   : shape_at_faces(fluid_, mesh_, side,
+                                                    engine_->side_faces(side))});
     }
     MPI_Barrier(comm);  // all ranks have read the case
-    if (mesh_.rank == 0) complete_case(case_folder, fluid, times, mesh_);
+    if (mesh_.rank == 0) complete_case(case_folder, fluid, with_plan, mesh_);
     set_inlets(0);
+}
+
+// The cells of a mesh with obstacles are a list: a row along x with the volumes as widths.
+// A cell of the uniform grid without one is solid.
+void FoamFluid::take_cells() {
+    ReadCells cells = engine_->cells();
+    width_m_ = {std::move(cells.volume_m3), {1}, {1}};
+    centre_m_ = std::move(cells.centre_m);
+    std::vector<std::array<double, 3>> points;
+    for (int z = 0; z < grid_.cells[2]; ++z)
+        for (int y = 0; y < grid_.cells[1]; ++y)
+            for (int x = 0; x < grid_.cells[0]; ++x)
+                points.push_back({(x + 0.5) * grid_.spacing_m, (y + 0.5) * grid_.spacing_m,
+                                  (z + 0.5) * grid_.spacing_m});
+    listed_cell_ = engine_->find(points);
 }
 
 // Adds the momentum source and fills it with the body force.
@@ -102,6 +129,14 @@ void FoamFluid::begin_force() {
 
 // (x, y, z) must be a cell of the uniform grid that this rank owns.
 std::size_t FoamFluid::cell_at(int x, int y, int z) const {
+    if (!listed_cell_.empty()) {
+        const auto n = static_cast<std::size_t>(grid_.cells[0]);
+        const auto rows = static_cast<std::size_t>(grid_.cells[1]);
+        const int cell = listed_cell_[static_cast<std::size_t>(x) +
+                                      n * (static_cast<std::size_t>(y) +
+                                           rows * static_cast<std::size_t>(z))];
+        return cell < 0 ? solid : static_cast<std::size_t>(cell);
+    }
     const std::array<int, 3> at{x, y, z};
     std::array<int, 3> i{};
     for (std::size_t d = 0; d < 3; ++d) i[d] = cell_of_[d][at[d]] - first_[d];
@@ -118,8 +153,13 @@ void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<doubl
     const double* from = engine_->velocity();
     double* to = out.data();
     for (const coupler::GridRow& row : rows) {
-        for (int x = row.x_begin; x < row.x_end; ++x, to += 3)
-            std::copy_n(from + 3 * cell_at(x, row.y, row.z), 3, to);
+        for (int x = row.x_begin; x < row.x_end; ++x, to += 3) {
+            const std::size_t cell = cell_at(x, row.y, row.z);
+            if (cell == solid)
+                std::fill_n(to, 3, 0.0);
+            else
+                std::copy_n(from + 3 * cell, 3, to);
+        }
     }
 }
 
@@ -134,6 +174,7 @@ void FoamFluid::set_force(std::span<const coupler::GridRow> rows,
     for (const coupler::GridRow& row : rows) {
         for (int x = row.x_begin; x < row.x_end; ++x, from += 3) {
             const std::size_t cell = cell_at(x, row.y, row.z);
+            if (cell == solid) continue;  // an obstacle takes the force
             const double share = h * h * h / volume(width_m_, cell);
             for (std::size_t d = 0; d < 3; ++d)
                 acceleration_[3 * cell + d] += from[d] * share / fluid_.density_kg_m3;
@@ -186,6 +227,7 @@ void FoamFluid::start_from(Flow flow) {
 
 // Centre [m] of a cell of this rank, in the box's frame.
 scene::Vec3 FoamFluid::centre(std::size_t cell) const {
+    if (!centre_m_.empty()) return scene::Vec3{centre_m_[cell]};
     const auto i = index_of(width_m_, cell);
     scene::Vec3 at{};
     for (std::size_t d = 0; d < 3; ++d) {
@@ -213,6 +255,14 @@ fluids::FluidTotals FoamFluid::totals() {
     return all;
 }
 
+std::vector<scene::Vec3> FoamFluid::obstacle_forces() {
+    std::vector<scene::Vec3> forces;
+    for (const scene::Obstacle& obstacle : fluid_.obstacles)
+        forces.push_back(fluid_.density_kg_m3 *
+                         scene::Vec3{engine_->force_on(patch_name(obstacle))});
+    return forces;
+}
+
 // The mean enstrophy density, |curl u|^2 / 2 [1/s2], is the only quantity beyond
 // totals(). Collective.
 double FoamFluid::quantity(scene::FluidQuantity quantity) {
@@ -221,6 +271,14 @@ double FoamFluid::quantity(scene::FluidQuantity quantity) {
     std::vector<double> vorticity(3 * cell_count(width_m_));
     engine_->vorticity(vorticity.data());
     return flow_sums(comm_, width_m_, engine_->velocity(), vorticity).enstrophy_1_s2;
+}
+
+// OpenFOAM's pressure is that over the density.
+fluids::PlaneFlow FoamFluid::plane_flow(int axis, double at_m) {
+    const PlaneSums sums = engine_->plane(axis, at_m);
+    const double density = fluid_.density_kg_m3;
+    return {sums.flow, density * scene::Vec3{sums.momentum},
+            sums.area > 0 ? density * sums.pressure / sums.area : 0};
 }
 
 // Values in the order of the uniform cells of this rank, x fastest, also on graded
@@ -232,6 +290,11 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
     }
     std::vector<double> made;
     const double* values = engine_->velocity();
+    const float in_solid = field == scene::FluidField::obstacle ? 1 : 0;
+    if (field == scene::FluidField::obstacle) {
+        made.assign(cell_count(width_m_), 0.0);
+        values = made.data();
+    }
     if (field == scene::FluidField::vorticity) {
         made.resize(3 * cell_count(width_m_));
         engine_->vorticity(made.data());
@@ -249,9 +312,11 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
         for (int y = box.lo[1]; y < box.hi[1]; ++y) {
             for (int x = box.lo[0]; x < box.hi[0]; ++x) {
-                const double* from = values + components * cell_at(x, y, z);
+                const std::size_t cell = cell_at(x, y, z);
                 for (std::size_t d = 0; d < components; ++d)
-                    *to++ = static_cast<float>(from[d]);
+                    *to++ = cell == solid
+                                ? in_solid
+                                : static_cast<float>(values[components * cell + d]);
             }
         }
     }
@@ -274,7 +339,8 @@ void FoamFluid::check_divergence() {
 output::FluidSummary FoamFluid::summary() const {
     const auto n = mesh_cells(mesh_);
     output::FluidSummary summary;
-    summary.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
+    summary.cells = centre_m_.empty() ? static_cast<std::int64_t>(n[0]) * n[1] * n[2]
+                                      : static_cast<std::int64_t>(centre_m_.size());
     summary.spacing_m = fluid_.spacing_m;
     summary.kernel = "pimpleFoam";
     return summary;
@@ -299,7 +365,10 @@ void FoamFluid::go_back() {
 void FoamFluid::save(coupler::StateWriter* file) {
     FlowState state;
     engine_->keep(state);
-    save_flow(comm_, mesh_, state, file);
+    if (centre_m_.empty())
+        save_flow(comm_, mesh_, state, file);
+    else
+        save_listed_flow(state, file);
 }
 
 // Boundary values of inlets are not part of the state and are set for the checkpoint's
@@ -307,7 +376,9 @@ void FoamFluid::save(coupler::StateWriter* file) {
 void FoamFluid::restore(const coupler::StateReader& file) {
     steps_ = file.header().step;
     set_inlets(1.0 * steps_ * step_s_);
-    engine_->go_back(load_flow(mesh_, file), steps_);
+    engine_->go_back(centre_m_.empty() ? load_flow(mesh_, file)
+                                       : load_listed_flow(engine_.get(), file),
+                     steps_);
 }
 
 }  // namespace magfsi::openfoam

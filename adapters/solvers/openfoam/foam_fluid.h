@@ -40,6 +40,8 @@ class FoamFluid final : public fluids::FluidSolver {
     std::string headline() const override;
     fluids::FluidTotals totals() override;
     double quantity(scene::FluidQuantity quantity) override;
+    std::vector<scene::Vec3> obstacle_forces() override;
+    fluids::PlaneFlow plane_flow(int axis, double at_m) override;
     void field(scene::FluidField field, std::size_t level, std::span<float> out) override;
     void check_divergence() override;
     bool has_own_files() const override { return openfoam::has_own_files(fluid_); }
@@ -62,8 +64,11 @@ class FoamFluid final : public fluids::FluidSolver {
     // Leaves the body force alone in all cells.
     void clear_force();
     scene::Vec3 everywhere() const;  // acceleration by the body force [m/s2]
-    // Local number of the mesh cell that holds a cell of the uniform grid.
+    // Local number of the mesh cell that holds a cell of the uniform grid, or `solid`.
+    static constexpr std::size_t solid = static_cast<std::size_t>(-1);
     std::size_t cell_at(int x, int y, int z) const;
+    // Takes over the cells of a mesh with obstacles, which the engine has read.
+    void take_cells();
     // Centre of a mesh cell of this rank [m].
     scene::Vec3 centre(std::size_t cell) const;
 
@@ -76,6 +81,10 @@ class FoamFluid final : public fluids::FluidSolver {
     std::array<int, 3> first_{}, cells_{};        // this rank's block of the mesh
     std::array<std::vector<int>, 3> cell_of_;     // mesh cell of each uniform cell
     std::array<std::vector<double>, 3> width_m_;  // widths of this rank's cells
+    // With obstacles: centres of the cells [m], and the cell of each one of the uniform
+    // grid, -1 for none.
+    std::vector<std::array<double, 3>> centre_m_;
+    std::vector<int> listed_cell_;
     coupler::Grid grid_;
     std::unique_ptr<Engine> engine_;
     double* acceleration_ = nullptr;   // the engine's; null before the first force

@@ -170,6 +170,17 @@ std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, i
     return std::move(shape.here);
 }
 
+std::vector<double> shape_at_faces(const scene::Fluid& fluid, const BoxMesh& mesh, int side,
+                                   const std::vector<std::array<double, 3>>& centres_m) {
+    const Axes axes = plane_axes(side);
+    const double factor = shape_of(fluid, mesh, side).factor;
+    std::vector<double> shape;
+    for (const auto& at : centres_m)
+        shape.push_back(factor * shape_at<double>(fluid, fluid.boundaries[side], axes,
+                                                  {at[axes[0]], at[axes[1]]}));
+    return shape;
+}
+
 // The factor is 1 from the start if there is no ramp (ramp_s = 0).
 double inlet_ramp(const fluid::Boundary& side, double time_s) {
     if (time_s >= side.inlet.ramp_s) return 1;

@@ -15,6 +15,10 @@ namespace magfsi::openfoam {
 // opening is 1.
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 
+// The same at any points of a side.
+std::vector<double> shape_at_faces(const scene::Fluid& fluid, const BoxMesh& mesh, int side,
+                                   const std::vector<std::array<double, 3>>& centres_m);
+
 // The inlet's velocity as an OpenFOAM boundary condition with expressions of place and
 // time, for stock programs.
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side);

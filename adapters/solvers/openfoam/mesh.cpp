@@ -134,6 +134,12 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
                         "longest side; take at most that many",
                         ranks, long_side));
     }
+    if (!fluid.obstacles.empty() && ranks > 1) {
+        throw std::invalid_argument(fmt::format(
+            "--ranks fluid={}: allowed is 1 with fluid.obstacles and fluid.solver "
+            "openfoam: the mesh around them is not cut into parts",
+            ranks));
+    }
     for (int r = 0; r <= ranks; ++r) mesh.first_cell.push_back(r * long_side / ranks);
     mesh.rank = rank;
     return mesh;

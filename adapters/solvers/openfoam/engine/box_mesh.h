@@ -23,6 +23,14 @@ extern const std::array<const char*, 6> side_names;
 // the ranks.
 Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box);
 
+// Reads the mesh of the case.
+Foam::autoPtr<Foam::fvMesh> read_mesh(const Foam::Time& time);
+
+// Copies all fluxes [m3/s] of a mesh that was read, inner faces first, then patch by
+// patch.
+void take_face_flux(const Foam::surfaceScalarField& phi, std::vector<double>& out);
+void put_face_flux(const std::vector<double>& from, Foam::surfaceScalarField& phi);
+
 // Place of a face of the mesh in FlowState::flux. `axis` is the axis across which the
 // face lies, `index` its place in flux[axis]; `sign` is -1 if the face's normal points
 // against the axis, at the slab's lower side.

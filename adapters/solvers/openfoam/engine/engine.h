@@ -30,6 +30,9 @@ struct EngineSetup {
     std::string case_folder;  // absolute, with system/, constant/ and 0/
     // The mesh of this rank; boundary files of the case name its sides x_min to z_max.
     BoxMesh mesh;
+    // The mesh is read from the case, on one rank, because it is no plain box: `mesh` is
+    // the box around it.
+    bool reads_mesh = false;
     // The case's function objects run along, and time folders are written. With either,
     // each of several ranks has its own folder in the case, processorN.
     bool runs_functions = false, writes_fields = false;
@@ -44,6 +47,23 @@ struct FlowState {
     // Fluxes [m3/s] through the faces across each axis, x fastest; along that axis there
     // is one layer of faces more than of cells.
     std::array<std::vector<double>, 3> flux;
+    // In place of `flux` on a mesh that was read: fluxes out of the cells through all
+    // faces in their order.
+    std::vector<double> face_flux;
+};
+
+// Cells of a mesh that was read, in their order.
+struct ReadCells {
+    std::vector<double> volume_m3;
+    std::vector<std::array<double, 3>> centre_m;
+};
+
+// Integrals over the fluid's part of a plane across the box.
+struct PlaneSums {
+    double flow = 0;                   // [m3/s], along the axis
+    std::array<double, 3> momentum{};  // of u u_n [m4/s2]
+    double pressure = 0;               // of pressure over density [m4/s2]
+    double area = 0;                   // [m2]
 };
 
 // pimpleFoam's equations on this rank's cells. Vector fields have three numbers a cell;
@@ -71,6 +91,17 @@ class Engine {
     // side prescribes none.
     virtual double* side_velocity(int side) = 0;
 
+    // The next three are for meshes that were read. Cells of this rank:
+    virtual ReadCells cells() const = 0;
+    // Number of the cell that holds each point; -1 where there is none.
+    virtual std::vector<int> find(const std::vector<std::array<double, 3>>& points_m) = 0;
+    // Centres of the faces of a side, in the order of side_velocity().
+    virtual std::vector<std::array<double, 3>> side_faces(int side) const = 0;
+
+    // Force of the fluid on a patch over its density [m4/s2]: pressure and viscous stress.
+    // Collective.
+    virtual std::array<double, 3> force_on(const std::string& patch) = 0;
+
     // Advances the flow by one time step. Collective.
     virtual void advance() = 0;
 
@@ -81,6 +112,10 @@ class Engine {
 
     // Writes curl u [1/s], three numbers a cell. Collective.
     virtual void vorticity(double* out) = 0;
+
+    // Integrals over the plane across `axis` at the coordinate at_m, over all ranks.
+    // Collective.
+    virtual PlaneSums plane(int axis, double at_m) = 0;
 
     // Writes a time folder, if it is time for one or `last`, and runs the function
     // objects; does nothing unless the setup asks for it. Called once after every step

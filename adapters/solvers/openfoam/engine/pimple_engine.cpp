@@ -10,6 +10,7 @@
 #include "adapters/solvers/openfoam/engine/box_mesh.h"
 #include "adapters/solvers/openfoam/engine/engine.h"
 #include "adapters/solvers/openfoam/engine/functions.h"
+#include "adapters/solvers/openfoam/engine/plane.h"
 #include "dynamicCode.H"
 #include "foamVersion.H"
 #include "fvCFD.H"
@@ -139,8 +140,11 @@ class PimpleEngine final : public Engine {
     explicit PimpleEngine(const EngineSetup& setup)
         : time_(Foam::Time::controlDictName, Foam::fileName(setup.case_folder).path(),
                 case_of_rank(setup), "system", "constant", false, false),
-          mesh_(make_mesh(time_, setup.mesh)),
-          places_(face_places(setup.mesh)),
+          mesh_(setup.reads_mesh ? read_mesh(time_) : make_mesh(time_, setup.mesh)),
+          box_(setup.mesh),
+          reads_mesh_(setup.reads_mesh),
+          places_(setup.reads_mesh ? std::vector<FacePlace>()
+                                   : face_places(setup.mesh)),
           pimple_(mesh_()),
           p_(field_file("p", mesh_()), mesh_()),
           u_(field_file("U", mesh_()), mesh_()),
@@ -176,6 +180,49 @@ class PimpleEngine final : public Engine {
         return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
     }
 
+    ReadCells cells() const override {
+        ReadCells all;
+        const Foam::scalarField& volumes = mesh_->V();
+        all.volume_m3.assign(volumes.begin(), volumes.end());
+        for (const Foam::point& p : mesh_->cellCentres())
+            all.centre_m.push_back({p[0], p[1], p[2]});
+        return all;
+    }
+
+    std::vector<int> find(const std::vector<std::array<double, 3>>& points_m) override {
+        return guarded([&] {
+            std::vector<int> found;
+            for (const auto& p : points_m)
+                found.push_back(mesh_->findCell(Foam::point(p[0], p[1], p[2])));
+            return found;
+        });
+    }
+
+    std::vector<std::array<double, 3>> side_faces(int side) const override {
+        const Foam::label patch = mesh_->boundaryMesh().findPatchID(side_names[side]);
+        std::vector<std::array<double, 3>> centres;
+        for (const Foam::point& p : mesh_->boundary()[patch].Cf())
+            centres.push_back({p[0], p[1], p[2]});
+        return centres;
+    }
+
+    // As OpenFOAM's function object `forces`: the area vectors point out of the fluid,
+    // into the body.
+    std::array<double, 3> force_on(const std::string& patch) override {
+        return guarded([&] {
+            Foam::vector force(Foam::Zero);
+            const Foam::label p = mesh_->boundaryMesh().findPatchID(patch);
+            if (p >= 0) {  // absent where the mesh left nothing of it
+                const Foam::vectorField& area = mesh_->boundary()[p].Sf();
+                const Foam::tmp<Foam::volSymmTensorField> stress = turbulence_->devReff();
+                force = Foam::sum(p_.boundaryField()[p] * area) +
+                        Foam::sum(area & stress().boundaryField()[p]);
+            }
+            Foam::reduce(force, Foam::sumOp<Foam::vector>());
+            return std::array<double, 3>{force[0], force[1], force[2]};
+        });
+    }
+
     // Fluxes are interpolated from the cells; the next pressure correction makes them
     // free of divergence.
     void set_velocity(const double* velocity) override {
@@ -198,7 +245,10 @@ class PimpleEngine final : public Engine {
             state.old_velocity = copy_of(u_.oldTime().primitiveField());
             const Foam::scalarField& p = p_.primitiveField();
             state.pressure.assign(p.cdata(), p.cdata() + p.size());
-            take_flux(phi_, places_, state);
+            if (reads_mesh_)
+                take_face_flux(phi_, state.face_flux);
+            else
+                take_flux(phi_, places_, state);
         });
     }
 
@@ -211,7 +261,10 @@ class PimpleEngine final : public Engine {
             const auto index = static_cast<Foam::label>(step);
             time_.setTime(1.0 * step * time_.deltaTValue(), index);
             phi_.timeIndex() = u_.timeIndex() = index;
-            put_flux(state, places_, phi_);
+            if (reads_mesh_)
+                put_face_flux(state.face_flux, phi_);
+            else
+                put_flux(state, places_, phi_);
             Foam::vectorField& u = u_.primitiveFieldRef();
             std::copy(state.velocity.begin(), state.velocity.end(), numbers(u));
             u_.correctBoundaryConditions();
@@ -236,6 +289,13 @@ class PimpleEngine final : public Engine {
         });
     }
 
+    PlaneSums plane(int axis, double at_m) override {
+        return guarded([&] {
+            const double length = box_.planes_m[static_cast<std::size_t>(axis)].back();
+            return plane_sums(u_, p_, phi_, axis, at_m, length);
+        });
+    }
+
     // The end is moved to the present time for function objects that run at the end, for
     // a run may be stopped before its own.
     void record(bool last) override {
@@ -255,7 +315,7 @@ class PimpleEngine final : public Engine {
 
     // Writes the mesh, once, and marks the fields that time folders have.
     void begin_writing() {
-        mesh_->write();
+        if (!reads_mesh_) mesh_->write();
         mesh_->setInstance(time_.constant(), Foam::IOobject::NO_WRITE);
         p_.writeOpt() = u_.writeOpt() = phi_.writeOpt() = Foam::IOobject::AUTO_WRITE;
         writes_ = true;
@@ -263,7 +323,9 @@ class PimpleEngine final : public Engine {
 
     Foam::Time time_;
     Foam::autoPtr<Foam::fvMesh> mesh_;
-    std::vector<FacePlace> places_;
+    BoxMesh box_;
+    bool reads_mesh_;
+    std::vector<FacePlace> places_;  // empty on a mesh that was read
     Foam::pimpleControl pimple_;
     Foam::volScalarField p_;
     Foam::volVectorField u_;
