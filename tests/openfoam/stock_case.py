@@ -59,12 +59,16 @@ def environment():
     return {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
 
 
+def run(program, case):
+    done = subprocess.run([program, "-case", case], env=environment(), capture_output=True,
+                          text=True, timeout=120)
+    if done.returncode != 0:
+        raise AssertionError(f"{program}: {done.stdout[-2000:]}{done.stderr}")
+
+
 def stock(case):
-    for program in ("blockMesh", "pimpleFoam"):
-        done = subprocess.run([program, "-case", case], env=environment(), capture_output=True,
-                              text=True, timeout=120)
-        if done.returncode != 0:
-            raise AssertionError(f"{program}: {done.stdout[-2000:]}{done.stderr}")
+    run("blockMesh", case)
+    run("pimpleFoam", case)
 
 
 def energy(case):

@@ -23,11 +23,6 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// A vector in OpenFOAM's syntax.
-std::string vector(const scene::Vec3& v) {
-    return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
-}
-
 // Dictionary entries of one side of the box: its patch in the mesh, and its conditions
 // for velocity and pressure.
 struct SideEntries {
@@ -57,7 +52,7 @@ SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
     }
     return {
         "type wall;",
-        fmt::format("type fixedValue; value uniform {};", vector(side.wall_velocity_m_s)),
+        fmt::format("type fixedValue; value uniform {};", vector_text(side.wall_velocity_m_s)),
         "type zeroGradient;"};
 }
 
@@ -69,7 +64,7 @@ std::string body_force(const scene::Fluid& fluid) {
         "bodyForce\n{{\n    type vectorSemiImplicitSource;\n    "
         "selectionMode all;\n    volumeMode specific;\n    "
         "injectionRateSuSp {{ U ({} 0); }}\n}}\n",
-        vector(a));
+        vector_text(a));
 }
 
 // Template of controlDict. Times have as many digits as a double, for the step is seldom
@@ -258,7 +253,7 @@ void write_velocity(const std::filesystem::path& folder, const scene::Fluid& flu
                     const std::function<std::string(std::size_t side)>& at_inlet) {
     write_foam_file(folder, "0", "U", "volVectorField",
                     field(fluid, "[0 1 -1 0 0 0 0]",
-                          vector(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
+                          vector_text(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
                           "type fixedValue; value uniform (0 0 0);", [&](std::size_t side) {
                               const auto kind = fluid.boundaries[side].kind;
                               return kind == fluid::BoundaryKind::velocity_inlet

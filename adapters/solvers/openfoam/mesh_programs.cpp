@@ -23,11 +23,11 @@ namespace magfsi::openfoam {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string vector(const scene::Vec3& v) {
+std::string vector_text(const scene::Vec3& v) {
     return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
 }
+
+namespace {
 
 // Ends of a body along an axis. One that ends at a side of the box is made longer, so that
 // its end and the side do not lie in one plane.
@@ -47,7 +47,7 @@ struct Geometry {
 
     std::string operator()(const fluid::Sphere& ball) const {
         return fmt::format("{} {{ type searchableSphere; centre {}; radius {:.17g}; }}", name,
-                           vector(ball.centre_m), ball.diameter_m / 2);
+                           vector_text(ball.centre_m), ball.diameter_m / 2);
     }
     std::string operator()(const fluid::Cylinder& rod) const {
         const std::size_t axis = rod.axis;
@@ -60,7 +60,7 @@ struct Geometry {
         last[axis] = high;
         return fmt::format(
             "{} {{ type searchableCylinder; point1 {}; point2 {}; radius {:.17g}; }}", name,
-            vector(first), vector(last), rod.diameter_m / 2);
+            vector_text(first), vector_text(last), rod.diameter_m / 2);
     }
     std::string operator()(const fluid::Block& block) const {
         scene::Vec3 low{}, high{};
@@ -69,8 +69,8 @@ struct Geometry {
             low[d] = ends[0];
             high[d] = ends[1];
         }
-        return fmt::format("{} {{ type searchableBox; min {}; max {}; }}", name, vector(low),
-                           vector(high));
+        return fmt::format("{} {{ type searchableBox; min {}; max {}; }}", name, vector_text(low),
+                           vector_text(high));
     }
     // The surface in its place, in metres.
     std::string operator()(const fluid::StlSurface& surface) const {
@@ -230,7 +230,7 @@ std::string snappy_dict(const fs::path& folder, const scene::Fluid& fluid,
     }
     const double h = fluid.spacing_m;
     return fmt::format(fmt::runtime(controls), geometry, surfaces,
-                       vector(point_in_fluid(fluid)), 1e-3 * h * h * h);
+                       vector_text(point_in_fluid(fluid)), 1e-3 * h * h * h);
 }
 
 void make_mesh_files(const fs::path& folder, const ObstaclePlan& plan) {

@@ -10,6 +10,9 @@
 
 namespace magfsi::openfoam {
 
+// A vector in OpenFOAM's syntax, with all digits.
+std::string vector_text(const scene::Vec3& v);
+
 // Text of snappyHexMeshDict for the obstacles that the blocks do not cut out. Surfaces of
 // STL files are written into the case.
 std::string snappy_dict(const std::filesystem::path& folder, const scene::Fluid& fluid,
