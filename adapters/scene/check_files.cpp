@@ -111,10 +111,9 @@ void check_files(const Scene& scene, const Marks& marks) {
     }
     if (!scene.fluid) return;
     if (const auto& openfoam = scene.fluid->openfoam) {
-        for (const auto& [key, file] :
-             {std::pair{"schemes", openfoam->schemes},
-              std::pair{"solution", openfoam->solution},
-              std::pair{"functions", openfoam->functions}})
+        for (const auto& [key, file] : {std::pair{"schemes", openfoam->schemes},
+                                        std::pair{"solution", openfoam->solution},
+                                        std::pair{"functions", openfoam->functions}})
             if (file)
                 require_regular_file(*file, marks.value({"fluid", "openfoam", key}));
     }

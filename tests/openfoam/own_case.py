@@ -53,7 +53,7 @@ class OwnCase(unittest.TestCase):
         run, upwind = self.energies("{schemes: mine}",
                                     mine="divSchemes { div(phi,U) Gauss upwind; }")
         testing.report(f"energy with upwind differences {upwind[-1] / central[-1] - 1:+.1%}")
-        self.assertGreater(abs(upwind[-1] / central[-1] - 1), 0.05)
+        self.assertLess(upwind[-1] / central[-1], 0.97)  # far beyond any rounding
         stock_case.stock(run.folder / "openfoam")
         found = stock_case.energy(run.folder / "openfoam")
         self.assertAlmostEqual(found / upwind[-1], 1, delta=SAME)

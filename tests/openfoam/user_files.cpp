@@ -14,7 +14,7 @@ namespace {
 using namespace magfsi;
 
 // A scene's fluid with one of the three files, which has this text.
-scene::Fluid with(std::optional<std::string> scene::OpenFoam::* key,
+scene::Fluid with(std::optional<std::string> scene::OpenFoam::*key,
                   const std::string& text) {
     static const auto folder = [] {
         auto made = std::filesystem::temp_directory_path() /
@@ -30,7 +30,7 @@ scene::Fluid with(std::optional<std::string> scene::OpenFoam::* key,
 }
 
 // The message with which the text is refused; empty if it is not.
-std::string refusal(std::optional<std::string> scene::OpenFoam::* key,
+std::string refusal(std::optional<std::string> scene::OpenFoam::*key,
                     const std::string& text) {
     try {
         openfoam::read_user_files(with(key, text));
@@ -54,9 +54,10 @@ TEST(UserFiles, NoKeyIsNoFile) {
 }
 
 TEST(UserFiles, TheTextIsKeptAsItIs) {
-    const std::string text = "/* mine */ FoamFile { version 2.0; }\n"
-                             "divSchemes { div(phi,U) Gauss linearUpwind grad(U); }\n"
-                             "ddtSchemes { default Euler; } // of first order\n";
+    const std::string text =
+        "/* mine */ FoamFile { version 2.0; }\n"
+        "divSchemes { div(phi,U) Gauss linearUpwind grad(U); }\n"
+        "ddtSchemes { default Euler; } // of first order\n";
     EXPECT_EQ(openfoam::read_user_files(with(schemes, text)).schemes, text);
 }
 
@@ -68,8 +69,9 @@ TEST(UserFiles, FunctionsStandAloneOrInTheirGroup) {
 }
 
 TEST(UserFiles, AFaultHasKeyAndLine) {
-    const std::string said = refusal(schemes, "// first\nddtSchemes\n{\n"
-                                              "    default steadyState;\n}\n");
+    const std::string said = refusal(schemes,
+                                     "// first\nddtSchemes\n{\n"
+                                     "    default steadyState;\n}\n");
     EXPECT_TRUE(has(said, "fluid.openfoam.schemes: ")) << said;
     EXPECT_TRUE(has(said, "file:4: found ddtSchemes.default steadyState")) << said;
     EXPECT_TRUE(has(said, "'Euler'")) << said;
@@ -77,17 +79,17 @@ TEST(UserFiles, AFaultHasKeyAndLine) {
 
 // Each would lose state of a checkpoint, leave divergence, or be passed over.
 TEST(UserFiles, WhatBreaksTheCouplingIsRefused) {
-    for (const char* text : {"ddtSchemes { default backward; }",
-                             "ddtSchemes { default backward 0; ddt(U) CrankNicolson 0.9; }",
-                             "PIMPLE { nCorrectors 2; }"})
+    for (const char* text :
+         {"ddtSchemes { default backward; }",
+          "ddtSchemes { default backward 0; ddt(U) CrankNicolson 0.9; }",
+          "PIMPLE { nCorrectors 2; }"})
         EXPECT_NE(refusal(schemes, text), "") << text;
     for (const char* text :
          {"PIMPLE { nCorrectors 0; }", "PIMPLE { frozenFlow yes; }",
           "PIMPLE { pRefPoint (0 0 0); }", "SIMPLE { nNonOrthogonalCorrectors 1; }"})
         EXPECT_NE(refusal(solution, text), "") << text;
-    for (const char* text :
-         {"a { type setTimeStep; }", "functions { a { type abort; } }",
-          "functions { } deltaT 1e-3;", "b { type runTimeControl; }"})
+    for (const char* text : {"a { type setTimeStep; }", "functions { a { type abort; } }",
+                             "functions { } deltaT 1e-3;", "b { type runTimeControl; }"})
         EXPECT_NE(refusal(functions, text), "") << text;
 }
 

@@ -85,11 +85,11 @@ class Blocks {
         if (solid(block) >= 0) return;
         std::array<int, 8> corner{};
         for (int c = 0; c < 8; ++c)  // around the lower square, then the upper one
-            corner[c] = vertex({block[0] + (c + 1) / 2 % 2, block[1] + c / 2 % 2,
-                                block[2] + c / 4});
-        blocks_ += fmt::format("    hex ({} {} {} {} {} {} {} {}) (", corner[0], corner[1],
-                               corner[2], corner[3], corner[4], corner[5], corner[6],
-                               corner[7]);
+            corner[c] = vertex(
+                {block[0] + (c + 1) / 2 % 2, block[1] + c / 2 % 2, block[2] + c / 4});
+        blocks_ +=
+            fmt::format("    hex ({} {} {} {} {} {} {} {}) (", corner[0], corner[1],
+                        corner[2], corner[3], corner[4], corner[5], corner[6], corner[7]);
         for (std::size_t d = 0; d < 3; ++d)
             blocks_ += fmt::format("{}{}", d == 0 ? "" : " ",
                                    planes_[d][block[d] + 1] - planes_[d][block[d]]);
@@ -99,14 +99,12 @@ class Blocks {
         for (std::size_t side = 0; side < 6; ++side) {
             Index next = block;
             next[side / 2] += side % 2 == 0 ? -1 : 1;
-            const bool outside =
-                next[side / 2] < 0 || next[side / 2] == count(side / 2);
+            const bool outside = next[side / 2] < 0 || next[side / 2] == count(side / 2);
             const int box = outside ? -1 : solid(next);
             if (!outside && box < 0) continue;
             const auto& f = face_corners[side];
-            faces_[outside ? side : 6 + static_cast<std::size_t>(box)] +=
-                fmt::format("({} {} {} {})", corner[f[0]], corner[f[1]], corner[f[2]],
-                            corner[f[3]]);
+            faces_[outside ? side : 6 + static_cast<std::size_t>(box)] += fmt::format(
+                "({} {} {} {})", corner[f[0]], corner[f[1]], corner[f[2]], corner[f[3]]);
         }
     }
 
@@ -128,8 +126,9 @@ std::string block_mesh(const scene::Fluid& fluid, const BoxMesh& mesh,
         "scale 1;\nvertices\n(\n{});\nblocks\n(\n{});\nedges ();\nboundary\n(\n",
         blocks.vertices(), blocks.blocks());
     for (std::size_t side = 0; side < 6; ++side)
-        text += fmt::format("    {} {{ {} faces ({}); }}\n", scene::names<scene::Face>[side],
-                            patch(side), blocks.faces(side));
+        text +=
+            fmt::format("    {} {{ {} faces ({}); }}\n", scene::names<scene::Face>[side],
+                        patch(side), blocks.faces(side));
     for (std::size_t i = 0; i < plan.cut.size(); ++i) {
         text += fmt::format("    {} {{ type wall; faces ({}); }}\n",
                             patch_name(fluid.obstacles[plan.cut[i].obstacle]),

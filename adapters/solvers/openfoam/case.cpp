@@ -50,10 +50,10 @@ SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
         default:  // no_slip; to_mesh refuses what OpenFOAM lacks
             break;
     }
-    return {
-        "type wall;",
-        fmt::format("type fixedValue; value uniform {};", vector_text(side.wall_velocity_m_s)),
-        "type zeroGradient;"};
+    return {"type wall;",
+            fmt::format("type fixedValue; value uniform {};",
+                        vector_text(side.wall_velocity_m_s)),
+            "type zeroGradient;"};
 }
 
 // The body force as a stock fvOption. OpenFOAM takes force over mass [m/s2].
@@ -251,15 +251,16 @@ void write_system(const std::filesystem::path& folder, const scene::Fluid& fluid
 // Writes 0/U, with the condition at_inlet(side) for each inlet.
 void write_velocity(const std::filesystem::path& folder, const scene::Fluid& fluid,
                     const std::function<std::string(std::size_t side)>& at_inlet) {
-    write_foam_file(folder, "0", "U", "volVectorField",
-                    field(fluid, "[0 1 -1 0 0 0 0]",
-                          vector_text(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
-                          "type fixedValue; value uniform (0 0 0);", [&](std::size_t side) {
-                              const auto kind = fluid.boundaries[side].kind;
-                              return kind == fluid::BoundaryKind::velocity_inlet
-                                         ? at_inlet(side)
-                                         : entries_of(fluid, side).velocity;
-                          }));
+    write_foam_file(
+        folder, "0", "U", "volVectorField",
+        field(fluid, "[0 1 -1 0 0 0 0]",
+              vector_text(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
+              "type fixedValue; value uniform (0 0 0);", [&](std::size_t side) {
+                  const auto kind = fluid.boundaries[side].kind;
+                  return kind == fluid::BoundaryKind::velocity_inlet
+                             ? at_inlet(side)
+                             : entries_of(fluid, side).velocity;
+              }));
 }
 
 void write_block_mesh(const std::filesystem::path& folder, const scene::Fluid& fluid,
@@ -271,11 +272,10 @@ void write_block_mesh(const std::filesystem::path& folder, const scene::Fluid& f
 }
 
 void write_pressure(const std::filesystem::path& folder, const scene::Fluid& fluid) {
-    write_foam_file(folder, "0", "p", "volScalarField",
-                    field(fluid, "[0 2 -2 0 0 0 0]", "0", "type zeroGradient;",
-                          [&](std::size_t side) {
-                              return entries_of(fluid, side).pressure;
-                          }));
+    write_foam_file(
+        folder, "0", "p", "volScalarField",
+        field(fluid, "[0 2 -2 0 0 0 0]", "0", "type zeroGradient;",
+              [&](std::size_t side) { return entries_of(fluid, side).pressure; }));
 }
 
 std::filesystem::path folder_of_rank(const std::filesystem::path& folder, int rank) {
@@ -302,8 +302,9 @@ void clear_stock_case(const std::filesystem::path& folder, bool goes_on, int ran
         if (name.starts_with("processor")) of_ranks.push_back(entry.path());
     }
     const bool same_ranks = of_ranks.size() == (ranks > 1 ? std::size_t(ranks) : 0);
-    for (const fs::path& path : !goes_on ? results : same_ranks ? std::vector<fs::path>()
-                                                                : of_ranks)
+    for (const fs::path& path : !goes_on     ? results
+                                : same_ranks ? std::vector<fs::path>()
+                                             : of_ranks)
         fs::remove_all(path);
 }
 
@@ -328,8 +329,9 @@ void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
     for (int rank = 0; parts && rank < ranks; ++rank)
         folders.push_back(folder_of_rank(folder, rank));
     for (const auto& one : folders) {
-        write_velocity(one, fluid,
-                       [&](std::size_t side) { return entries_of(fluid, side).velocity; });
+        write_velocity(one, fluid, [&](std::size_t side) {
+            return entries_of(fluid, side).velocity;
+        });
         write_pressure(one, fluid);
     }
 }

@@ -32,12 +32,13 @@ std::string row(const char* name, const std::string& si) {
 // The user's dictionaries and the time folders.
 std::string own_rows(const scene::OpenFoam& own) {
     std::string text;
-    for (const auto& [into, file] : {std::pair{"fvSchemes", own.schemes},
-                                     std::pair{"fvSolution", own.solution},
-                                     std::pair{"functions of controlDict", own.functions}})
+    for (const auto& [into, file] :
+         {std::pair{"fvSchemes", own.schemes}, std::pair{"fvSolution", own.solution},
+          std::pair{"functions of controlDict", own.functions}})
         if (file) text += fmt::format("  {} merged into {}\n", *file, into);
     if (own.write)
-        text += row("time folders every", fmt::format("{:.4g} ms", own.write->every_s * 1e3));
+        text +=
+            row("time folders every", fmt::format("{:.4g} ms", own.write->every_s * 1e3));
     return text;
 }
 

@@ -199,7 +199,8 @@ FlowState state_of(const std::vector<double>& cells) {
 // Writes one table for the cells and one for the faces across each axis.
 void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
                coupler::StateWriter* file) {
-    save_rows(comm, part_of(mesh, 3), rows_of_cells(state), values_per_cell, "cells", file);
+    save_rows(comm, part_of(mesh, 3), rows_of_cells(state), values_per_cell, "cells",
+              file);
     for (std::size_t d = 0; d < 3; ++d)
         save_rows(comm, part_of(mesh, d), state.flux[d], 1, flux_table[d], file);
 }

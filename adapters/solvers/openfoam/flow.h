@@ -49,7 +49,8 @@ FastestCell fastest_cell(std::size_t cells, const double* velocity);
 void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
                coupler::StateWriter* file);
 
-// The same for a mesh that was read, which is on one rank: cells and faces in their order.
+// The same for a mesh that was read, which is on one rank: cells and faces in their
+// order.
 void save_listed_flow(const FlowState& state, coupler::StateWriter* file);
 FlowState load_listed_flow(const Engine* engine, const coupler::StateReader& file);
 

@@ -94,19 +94,19 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
     for (int side = 0; side < 6; ++side) {
         if (fluid.boundaries[side].kind != fluid::BoundaryKind::velocity_inlet) continue;
         if (double* faces = engine_->side_velocity(side))
-            inlets_.push_back({side, faces,
-                               fluid.obstacles.empty()
-                                   ? slab_shape(fluid_, mesh_, side)
-                                   : shape_at_faces(fluid_, mesh_, side,
-                                                    engine_->side_faces(side))});
+            inlets_.push_back(
+                {side, faces,
+                 fluid.obstacles.empty()
+                     ? slab_shape(fluid_, mesh_, side)
+                     : shape_at_faces(fluid_, mesh_, side, engine_->side_faces(side))});
     }
     MPI_Barrier(comm);  // all ranks have read the case
     if (mesh_.rank == 0) complete_case(case_folder, fluid, with_plan, mesh_);
     set_inlets(0);
 }
 
-// The cells of a mesh with obstacles are a list: a row along x with the volumes as widths.
-// A cell of the uniform grid without one is solid.
+// The cells of a mesh with obstacles are a list: a row along x with the volumes as
+// widths. A cell of the uniform grid without one is solid.
 void FoamFluid::take_cells() {
     ReadCells cells = engine_->cells();
     width_m_ = {std::move(cells.volume_m3), {1}, {1}};
@@ -115,7 +115,8 @@ void FoamFluid::take_cells() {
     for (int z = 0; z < grid_.cells[2]; ++z)
         for (int y = 0; y < grid_.cells[1]; ++y)
             for (int x = 0; x < grid_.cells[0]; ++x)
-                points.push_back({(x + 0.5) * grid_.spacing_m, (y + 0.5) * grid_.spacing_m,
+                points.push_back({(x + 0.5) * grid_.spacing_m,
+                                  (y + 0.5) * grid_.spacing_m,
                                   (z + 0.5) * grid_.spacing_m});
     listed_cell_ = engine_->find(points);
 }

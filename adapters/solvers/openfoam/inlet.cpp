@@ -170,7 +170,8 @@ std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, i
     return std::move(shape.here);
 }
 
-std::vector<double> shape_at_faces(const scene::Fluid& fluid, const BoxMesh& mesh, int side,
+std::vector<double> shape_at_faces(const scene::Fluid& fluid, const BoxMesh& mesh,
+                                   int side,
                                    const std::vector<std::array<double, 3>>& centres_m) {
     const Axes axes = plane_axes(side);
     const double factor = shape_of(fluid, mesh, side).factor;

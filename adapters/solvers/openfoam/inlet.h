@@ -16,7 +16,8 @@ namespace magfsi::openfoam {
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 
 // The same at any points of a side.
-std::vector<double> shape_at_faces(const scene::Fluid& fluid, const BoxMesh& mesh, int side,
+std::vector<double> shape_at_faces(const scene::Fluid& fluid, const BoxMesh& mesh,
+                                   int side,
                                    const std::vector<std::array<double, 3>>& centres_m);
 
 // The inlet's velocity as an OpenFOAM boundary condition with expressions of place and

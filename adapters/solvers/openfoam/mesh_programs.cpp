@@ -29,10 +29,10 @@ std::string vector_text(const scene::Vec3& v) {
 
 namespace {
 
-// Ends of a body along an axis. One that ends at a side of the box is made longer, so that
-// its end and the side do not lie in one plane.
-std::array<double, 2> beyond_sides(const scene::Fluid& fluid, std::size_t axis, double low,
-                                   double high) {
+// Ends of a body along an axis. One that ends at a side of the box is made longer, so
+// that its end and the side do not lie in one plane.
+std::array<double, 2> beyond_sides(const scene::Fluid& fluid, std::size_t axis,
+                                   double low, double high) {
     const double h = fluid.spacing_m;
     if (low < 1e-6 * h) low = -2 * h;
     if (high > fluid.box_m[axis] - 1e-6 * h) high = fluid.box_m[axis] + 2 * h;
@@ -46,21 +46,20 @@ struct Geometry {
     std::string name;
 
     std::string operator()(const fluid::Sphere& ball) const {
-        return fmt::format("{} {{ type searchableSphere; centre {}; radius {:.17g}; }}", name,
-                           vector_text(ball.centre_m), ball.diameter_m / 2);
+        return fmt::format("{} {{ type searchableSphere; centre {}; radius {:.17g}; }}",
+                           name, vector_text(ball.centre_m), ball.diameter_m / 2);
     }
     std::string operator()(const fluid::Cylinder& rod) const {
         const std::size_t axis = rod.axis;
         const double half = rod.length_m.value_or(2 * fluid.box_m[axis]) / 2;
-        const double middle =
-            rod.length_m ? rod.centre_m[axis] : fluid.box_m[axis] / 2;
+        const double middle = rod.length_m ? rod.centre_m[axis] : fluid.box_m[axis] / 2;
         const auto [low, high] = beyond_sides(fluid, axis, middle - half, middle + half);
         scene::Vec3 first = rod.centre_m, last = rod.centre_m;
         first[axis] = low;
         last[axis] = high;
         return fmt::format(
-            "{} {{ type searchableCylinder; point1 {}; point2 {}; radius {:.17g}; }}", name,
-            vector_text(first), vector_text(last), rod.diameter_m / 2);
+            "{} {{ type searchableCylinder; point1 {}; point2 {}; radius {:.17g}; }}",
+            name, vector_text(first), vector_text(last), rod.diameter_m / 2);
     }
     std::string operator()(const fluid::Block& block) const {
         scene::Vec3 low{}, high{};
@@ -69,8 +68,8 @@ struct Geometry {
             low[d] = ends[0];
             high[d] = ends[1];
         }
-        return fmt::format("{} {{ type searchableBox; min {}; max {}; }}", name, vector_text(low),
-                           vector_text(high));
+        return fmt::format("{} {{ type searchableBox; min {}; max {}; }}", name,
+                           vector_text(low), vector_text(high));
     }
     // The surface in its place, in metres.
     std::string operator()(const fluid::StlSurface& surface) const {
@@ -84,9 +83,8 @@ struct Geometry {
             text += "endloop\nendfacet\n";
         }
         fs::create_directories(folder / "constant" / "triSurface");
-        output::write_atomically(
-            folder / "constant" / "triSurface" / (name + ".stl"),
-            text + fmt::format("endsolid {}\n", name));
+        output::write_atomically(folder / "constant" / "triSurface" / (name + ".stl"),
+                                 text + fmt::format("endsolid {}\n", name));
         return fmt::format("{0}.stl {{ type triSurfaceMesh; name {0}; }}", name);
     }
 };
@@ -203,10 +201,10 @@ void run_program(const std::string& name, const fs::path& folder) {
         posix_spawnp(&child, name.c_str(), &files, nullptr, arguments, environ);
     posix_spawn_file_actions_destroy(&files);
     if (fault != 0)
-        throw std::runtime_error(
-            fmt::format("fluid.solver: openfoam: {} cannot be started: {}; obstacles need "
-                        "Debian's package openfoam",
-                        name, std::strerror(fault)));
+        throw std::runtime_error(fmt::format(
+            "fluid.solver: openfoam: {} cannot be started: {}; obstacles need "
+            "Debian's package openfoam",
+            name, std::strerror(fault)));
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
@@ -223,8 +221,8 @@ std::string snappy_dict(const fs::path& folder, const scene::Fluid& fluid,
     for (const std::size_t i : plan.snapped) {
         const scene::Obstacle& obstacle = fluid.obstacles[i];
         const std::string name = patch_name(obstacle);
-        geometry += fmt::format("    {}\n", std::visit(Geometry{folder, fluid, name},
-                                                       obstacle.shape));
+        geometry += fmt::format(
+            "    {}\n", std::visit(Geometry{folder, fluid, name}, obstacle.shape));
         surfaces += fmt::format(
             "        {} {{ level (0 0); patchInfo {{ type wall; }} }}\n", name);
     }

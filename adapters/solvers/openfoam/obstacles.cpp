@@ -88,9 +88,8 @@ ObstaclePlan plan_obstacles(const scene::Fluid& fluid, const BoxMesh& mesh) {
 }
 
 std::string patch_name(const scene::Obstacle& obstacle) {
-    const bool taken =
-        std::ranges::find(scene::names<scene::Face>, obstacle.name) !=
-        scene::names<scene::Face>.end();
+    const bool taken = std::ranges::find(scene::names<scene::Face>, obstacle.name) !=
+                       scene::names<scene::Face>.end();
     return taken ? obstacle.name + "_obstacle" : obstacle.name;
 }
 
@@ -126,8 +125,8 @@ scene::Vec3 point_in_fluid(const scene::Fluid& fluid) {
                 cell[second] = (j + n[second] / 2) % n[second];  // from the middle
                 cell[third] = (k + n[third] / 2) % n[third];
                 if (is_free(cell))
-                    return fluid.spacing_m * scene::Vec3{cell[0] + 0.47, cell[1] + 0.53,
-                                                         cell[2] + 0.49};
+                    return fluid.spacing_m *
+                           scene::Vec3{cell[0] + 0.47, cell[1] + 0.53, cell[2] + 0.49};
             }
         }
     }

@@ -159,10 +159,10 @@ std::vector<Entry> entries_of(const std::vector<Token>& tokens, const Source& so
                     entry.value.push_back(tokens[i].text);
                 }
                 if (i == tokens.size() || depth < 0)
-                    source.refuse(entry.line,
-                                  fmt::format("the entry {} without an end",
-                                              entry.name()),
-                                  "put a ; behind its value");
+                    source.refuse(
+                        entry.line,
+                        fmt::format("the entry {} without an end", entry.name()),
+                        "put a ; behind its value");
             }
             entries.push_back(std::move(entry));
         }
@@ -190,8 +190,8 @@ constexpr auto harmful_types =
 constexpr auto groups_of_schemes = std::to_array<std::string_view>(
     {"ddtSchemes", "d2dt2Schemes", "gradSchemes", "divSchemes", "laplacianSchemes",
      "interpolationSchemes", "snGradSchemes", "fluxRequired", "wallDist"});
-constexpr auto groups_of_solution = std::to_array<std::string_view>(
-    {"solvers", "PIMPLE", "relaxationFactors", "cache"});
+constexpr auto groups_of_solution =
+    std::to_array<std::string_view>({"solvers", "PIMPLE", "relaxationFactors", "cache"});
 
 // A directive, and the name that follows it. Two tokens may stick together, as in
 // #eval{...}.
@@ -201,9 +201,10 @@ void check_directive(const Token& token, const Token* next, const Source& source
     if (!one_of(word, harmless_directives)) {
         source.refuse(
             token.line, word,
-            fmt::format("allowed are {}: put what #include names into this file, of which "
-                        "the case keeps a copy, and write #eval for #calc",
-                        fmt::join(harmless_directives, ", ")));
+            fmt::format(
+                "allowed are {}: put what #include names into this file, of which "
+                "the case keeps a copy, and write #eval for #calc",
+                fmt::join(harmless_directives, ", ")));
     }
     if (word != "#includeEtc" && word != "#includeFunc") return;
     if (!next || next->text.find("..") != std::string::npos ||
@@ -244,7 +245,8 @@ void check_tokens(const std::vector<Token>& tokens, const Source& source) {
 void check_groups(const std::vector<Entry>& entries, Words allowed,
                   const Source& source) {
     for (const Entry& entry : entries) {
-        if (!entry.group || entry.path.size() > 1 || entry.path[0] == "FoamFile") continue;
+        if (!entry.group || entry.path.size() > 1 || entry.path[0] == "FoamFile")
+            continue;
         if (!one_of(entry.path[0], allowed))
             source.refuse(entry.line, fmt::format("the group {}", entry.path[0]),
                           fmt::format("allowed are {}", fmt::join(allowed, ", ")));
@@ -316,9 +318,8 @@ std::optional<Dictionary> read(const Source& source) {
     std::ostringstream text;
     if (in) text << in.rdbuf();
     if (!in)
-        throw std::invalid_argument(
-            fmt::format("fluid.openfoam.{}: the file {} cannot be read", source.key,
-                        source.file));
+        throw std::invalid_argument(fmt::format(
+            "fluid.openfoam.{}: the file {} cannot be read", source.key, source.file));
     Dictionary made{text.str(), {}};
     if (made.text.find('\0') != std::string::npos)
         source.refuse(1, "a binary file", "allowed are OpenFOAM's dictionaries as text");

@@ -287,15 +287,15 @@ Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box
 
 // The boundary of a mesh that was read is that of its files.
 Foam::autoPtr<Foam::fvMesh> read_mesh(const Foam::Time& time) {
-    return Foam::autoPtr<Foam::fvMesh>(
-        new Foam::fvMesh(Foam::IOobject(Foam::fvMesh::defaultRegion, time.timeName(), time,
-                                        Foam::IOobject::MUST_READ)));
+    return Foam::autoPtr<Foam::fvMesh>(new Foam::fvMesh(Foam::IOobject(
+        Foam::fvMesh::defaultRegion, time.timeName(), time, Foam::IOobject::MUST_READ)));
 }
 
 void take_face_flux(const Foam::surfaceScalarField& phi, std::vector<double>& out) {
     out.assign(phi.primitiveField().begin(), phi.primitiveField().end());
     for (Foam::label p = 0; p < phi.boundaryField().size(); ++p)
-        out.insert(out.end(), phi.boundaryField()[p].begin(), phi.boundaryField()[p].end());
+        out.insert(out.end(), phi.boundaryField()[p].begin(),
+                   phi.boundaryField()[p].end());
 }
 
 void put_face_flux(const std::vector<double>& from, Foam::surfaceScalarField& phi) {

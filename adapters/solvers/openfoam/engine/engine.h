@@ -98,8 +98,8 @@ class Engine {
     // Centres of the faces of a side, in the order of side_velocity().
     virtual std::vector<std::array<double, 3>> side_faces(int side) const = 0;
 
-    // Force of the fluid on a patch over its density [m4/s2]: pressure and viscous stress.
-    // Collective.
+    // Force of the fluid on a patch over its density [m4/s2]: pressure and viscous
+    // stress. Collective.
     virtual std::array<double, 3> force_on(const std::string& patch) = 0;
 
     // Advances the flow by one time step. Collective.

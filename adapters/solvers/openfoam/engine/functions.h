@@ -37,7 +37,8 @@ class Functions {
         const Foam::dictionary* all = time.controlDict().findDict("functions");
         if (all == nullptr) return;
         refuse_paths(*all);
-        time.libs().open(*all, "libs", Foam::functionObject::dictionaryConstructorTablePtr_);
+        time.libs().open(*all, "libs",
+                         Foam::functionObject::dictionaryConstructorTablePtr_);
         for (const Foam::entry& item : *all) {
             if (!item.isDict() || !item.dict().lookupOrDefault("enabled", true)) continue;
             made_.push_back(one(item.keyword(), time, item.dict()));

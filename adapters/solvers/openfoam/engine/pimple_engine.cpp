@@ -143,8 +143,7 @@ class PimpleEngine final : public Engine {
           mesh_(setup.reads_mesh ? read_mesh(time_) : make_mesh(time_, setup.mesh)),
           box_(setup.mesh),
           reads_mesh_(setup.reads_mesh),
-          places_(setup.reads_mesh ? std::vector<FacePlace>()
-                                   : face_places(setup.mesh)),
+          places_(setup.reads_mesh ? std::vector<FacePlace>() : face_places(setup.mesh)),
           pimple_(mesh_()),
           p_(field_file("p", mesh_()), mesh_()),
           u_(field_file("U", mesh_()), mesh_()),
@@ -176,6 +175,7 @@ class PimpleEngine final : public Engine {
     double* side_velocity(int side) override {
         const auto name = side_names[side];
         const Foam::label patch = mesh_->boundaryMesh().findPatchID(name);
+        if (patch < 0) return nullptr;  // an obstacle covers the side
         auto& values = u_.boundaryFieldRef()[patch];
         return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
     }
@@ -315,6 +315,7 @@ class PimpleEngine final : public Engine {
 
     // Writes the mesh, once, and marks the fields that time folders have.
     void begin_writing() {
+        mesh_->setInstance(time_.constant());  // marks all its files to be written
         if (!reads_mesh_) mesh_->write();
         mesh_->setInstance(time_.constant(), Foam::IOobject::NO_WRITE);
         p_.writeOpt() = u_.writeOpt() = phi_.writeOpt() = Foam::IOobject::AUTO_WRITE;

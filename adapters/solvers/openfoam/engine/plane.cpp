@@ -125,10 +125,10 @@ PlaneSums plane_sums(const Foam::volVectorField& velocity,
     const double lower = sum_over_ranks(Foam::sum(below.primitiveField()));
     const double upper = sum_over_ranks(mesh.nCells()) - lower;
     PlaneSums sums;
-    sums.flow = sum_over_ranks(
-        lower == 0   ? flow_through_side(flux, axis, 0, length_m)
-        : upper == 0 ? flow_through_side(flux, axis, length_m, length_m)
-                     : flow_between(below, flux));
+    sums.flow =
+        sum_over_ranks(lower == 0   ? flow_through_side(flux, axis, 0, length_m)
+                       : upper == 0 ? flow_through_side(flux, axis, length_m, length_m)
+                                    : flow_between(below, flux));
 
     const Foam::tmp<Foam::volTensorField> slopes = Foam::fvc::grad(velocity);
     const Foam::tmp<Foam::volVectorField> slope = Foam::fvc::grad(pressure);
