@@ -142,13 +142,15 @@ class Bodies(unittest.TestCase):
                 self.assertAlmostEqual(force / balance, 1, delta=0.02)
 
     def test_the_lattice_says_the_same(self):
-        """Eight cells to a body on both sides: each is some 3 % from its limit."""
-        for name in ("ball", "rod", "box"):
+        """At 16 cells to a body. From 8 to 16 OpenFOAM's force on the ball grows by 8.6 %, so that 3 % are
+        left by its second order, the lattice's by 0.5 %; at the box's sharp edges OpenFOAM's by 7 %, the
+        lattice's by 14 %, and the rest is of first order."""
+        for name, bound in (("ball", 0.05), ("rod", 0.05), ("box", 0.08)):
             with self.subTest(name):
-                forces = [self.run_of(name, settings).probes()[f"{name}.drag[N]"][-1]
-                          for settings in ({}, {"fluid.solver": "lbm", "time.step": "null"})]
+                forces = [self.run_of(name, {"fluid.spacing": "0.125 mm", **settings}).probes()[f"{name}.drag[N]"][-1]
+                          for settings in ({"time.step": "0.5 ms"}, {"fluid.solver": "lbm", "time.step": "null"})]
                 testing.report(f"{name}: openfoam / lbm - 1 = {forces[0] / forces[1] - 1:+.1%}")
-                self.assertAlmostEqual(forces[0] / forces[1], 1, delta=0.05)
+                self.assertAlmostEqual(forces[0] / forces[1], 1, delta=bound)
 
     def test_a_restart_gives_the_same_bytes(self):
         scene = write(BODIES.replace("OBSTACLES", SHAPES["two"]), testing.new_folder())
