@@ -306,6 +306,8 @@ void clear_stock_case(const std::filesystem::path& folder, bool goes_on, int ran
                                 : same_ranks ? std::vector<fs::path>()
                                              : of_ranks)
         fs::remove_all(path);
+    for (const fs::path& path : of_ranks)  // those that are left
+        for (const char* part : {"0", "constant", "system"}) fs::remove_all(path / part);
 }
 
 }  // namespace

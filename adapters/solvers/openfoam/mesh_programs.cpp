@@ -183,12 +183,13 @@ std::string fault_in(const std::string& log) {
 void run_program(const std::string& name, const fs::path& folder) {
     constexpr int descriptor = 50;
     const std::string log = (folder / ("log." + name)).string();
+    fs::remove(log);  // a foreign link, too
     posix_spawn_file_actions_t files{};
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, descriptor, folder.c_str(),
                                      O_RDONLY | O_DIRECTORY, 0);
     posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+    posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_EXCL,
                                      0644);
     posix_spawn_file_actions_adddup2(&files, 1, 2);
     std::string program = name, option = "-case",
