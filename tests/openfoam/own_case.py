@@ -71,8 +71,9 @@ class OwnCase(unittest.TestCase):
         """The integral of U by OpenFOAM's function object is the momentum over the density."""
         for ranks in ("fluid=1", "fluid=2"):
             run, _ = self.energies("{functions: mine}", ranks, mine="""
-                all { type volFieldValue; libs (fieldFunctionObjects); fields (U); operation volIntegrate;
-                      regionType all; writeFields no; writeControl timeStep; writeInterval 10; }""")
+                all { type volFieldValue; libs (fieldFunctionObjects); fields (U);
+                      operation volIntegrate; regionType all; writeFields no;
+                      writeControl timeStep; writeInterval 10; }""")
             file = run.folder / "openfoam/postProcessing/all/0/volFieldValue.dat"
             rows = re.findall(r"^([0-9.e-]+)\s+\((\S+) ", file.read_text(), re.M)
             probes = run.probes()
@@ -80,7 +81,8 @@ class OwnCase(unittest.TestCase):
             for i, (t, x) in enumerate(rows, 1):
                 self.assertAlmostEqual(float(t), probes["t[s]"][i])
                 # The function object writes six digits.
-                self.assertAlmostEqual(float(x) * 1000 / probes["momentum_x[kg m/s]"][i], 1, delta=1e-5)
+                momentum = probes["momentum_x[kg m/s]"][i]
+                self.assertAlmostEqual(float(x) * 1000 / momentum, 1, delta=1e-5)
             self.assertFalse((run.folder / "openfoam/0.45").exists())
 
     def test_a_function_that_cannot_be_made_ends_the_run(self):
@@ -106,20 +108,21 @@ class OwnCase(unittest.TestCase):
         case = run.folder / "openfoam"
         for rank in ("processor0", "processor1"):
             self.assertTrue((case / rank / "0.45" / "U").exists())
+        control = case / "system/controlDict"
+        control.write_text(control.read_text().replace("writeFormat binary", "writeFormat ascii"))
         for words in (["reconstructParMesh", "-constant"], ["reconstructPar"],
                       ["foamFormatConvert"]):
-            (case / "system/controlDict").write_text(
-                (case / "system/controlDict").read_text().replace("writeFormat binary", "writeFormat ascii"))
             subprocess.run([*words, "-case", case], env=stock_case.environment(), check=True,
                            capture_output=True, timeout=120)
         self.assertAlmostEqual(stock_case.energy(case) / energy[-1], 1, delta=DIGITS)
 
     def test_time_folders_stay_where_a_run_goes_on(self):
         scene = self.scene("{write: {every: 200 ms}}")
-        first = testing.good_run(scene, {"time.end": "0.2 s", "checkpoint.every": "0.2 s"}, "fluid=1")
-        testing.good_run(scene, {"checkpoint.every": "0.2 s"}, "fluid=1", folder=first.folder,
-                         restart="latest")
-        times = sorted(p.name for p in (first.folder / "openfoam").iterdir() if p.name[0].isdigit())
+        every = {"checkpoint.every": "0.2 s"}
+        first = testing.good_run(scene, {"time.end": "0.2 s", **every}, "fluid=1")
+        testing.good_run(scene, every, "fluid=1", folder=first.folder, restart="latest")
+        case = first.folder / "openfoam"
+        times = sorted(p.name for p in case.iterdir() if p.name[0].isdigit())
         self.assertEqual(times, ["0", "0.2", "0.4", "0.45"])
 
     def post_process(self, case):

@@ -68,8 +68,8 @@ class Planes(unittest.TestCase):
 
     def test_on_a_graded_mesh(self):
         """At the ends cells are three times as long, and the planes are of second order."""
-        self.check({"fluid.grading": "{uniform: [[2 mm, 0 m, 0 m], [3 mm, 0.5 mm, 2 mm]], growth: 1.2}"},
-                   "fluid=2", at_ends=9 * GRID)
+        self.check({"fluid.grading.uniform": "[[2 mm, 0 m, 0 m], [3 mm, 0.5 mm, 2 mm]]",
+                    "fluid.grading.growth": "1.2"}, "fluid=2", at_ends=9 * GRID)
 
 
 if __name__ == "__main__":

@@ -29,7 +29,8 @@ class Refusals(unittest.TestCase):
 
     def test_an_obstacle_across_a_periodic_side(self):
         self.refused({"fluid.boundaries": "{y_min: periodic, y_max: periodic}", "fluid.obstacles":
-                      "{ball: {sphere: {centre: [1 mm, 0.2 mm, 1 mm], diameter: 1 mm}}}"}, "ball", "y_min")
+                      "{ball: {sphere: {centre: [1 mm, 0.2 mm, 1 mm], diameter: 1 mm}}}"},
+                     "ball", "y_min")
 
     def test_obstacles_on_two_ranks(self):
         folder = Path(testing.new_folder()) / "run"
