@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How far the probes of two runs are apart, whether that is within their error bars, as numbers, a table
+and a sentence.
+
+Runs have their rows at times of their own. They are compared at those of the run that has fewer in the time that
+both have, where the other is on straight lines between its rows."""
+import csv
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from magfsi import curves, units
+from magfsi.compare import sides as reading
+from magfsi.cost import probes as choosing
+from magfsi.cost.report import percent
+from magfsi.study import norms
+from magfsi.study.study_file import Reference
+
+TABLE = ("probe", "unit", "first", "first_bar", "second", "second_bar", "difference", "difference of largest[1]",
+         "l2[1]", "largest[1]", "within bars", "remark")
+TINY = 1e-300  # in place of a bar of zero
+SAME = 1e-9  # of the time that both have: rows at the same times
+NAMED = 4  # probes in a sentence
+
+
+@dataclass
+class Row:
+    """One probe. Of a place (com_z) its change counts; relative numbers are of the first run."""
+    column: str
+    values: tuple = (math.nan, math.nan)  # at the end
+    scale: float = math.nan  # the first's largest magnitude
+    l2: float = math.nan
+    most: float = math.nan  # the largest difference at any time
+    bars: tuple = (None, None)  # reading.Bar of each
+    why: str = ""  # there are no relative numbers
+
+    @property
+    def unit(self):
+        return curves.unit_of(self.column)
+
+    @property
+    def difference(self):
+        return self.values[1] - self.values[0]
+
+    @property
+    def sizes(self):
+        return [bar.size if bar else None for bar in self.bars]
+
+    def within(self):
+        """Whether the bars overlap; None where one of them is not known."""
+        if None in self.sizes or not math.isfinite(self.difference):
+            return None
+        return abs(self.difference) <= sum(self.sizes)
+
+    def value_words(self, which):
+        """"1.19 mm ± 0.15 mm"."""
+        size = self.sizes[which]
+        return units.with_unit(self.values[which], self.unit, 4) + (
+            "" if size is None else f" ± {units.with_unit(size, self.unit, 2)}")
+
+    def words(self):
+        return f"{curves.plain(self.column)}, {self.value_words(0)} and {self.value_words(1)}"
+
+    def remark(self):
+        return self.why or "; ".join(f"{which}: {bar.why}" for which, bar in zip(("first", "second"), self.bars)
+                                     if bar and bar.why)
+
+
+@dataclass
+class Comparison:
+    sides: list  # of two reading.Side
+    span: tuple  # the time that both have [s]
+    rows: list = field(default_factory=list)
+    zero: list = field(default_factory=list)  # columns that are nothing in both
+    alone: list = field(default_factory=list)  # of each run the columns that the other has not
+
+    def compared(self):
+        return [row for row in self.rows if not row.why]
+
+    def with_bars(self):
+        """Rows that have a bar in both runs, those that are furthest apart for it first."""
+        known = [row for row in self.rows if row.within() is not None]
+        return sorted(known, key=lambda row: -abs(row.difference) / (sum(row.sizes) or TINY))
+
+
+def _norm(column, kind, span):
+    norm = choosing.norm_of(column, kind, span[0] * (1 - SAME))
+    norm.end_s = span[1] * (1 + SAME)
+    return norm
+
+
+def _relative(column, kind, sides, courses, span):
+    """An error of the second by a norm of studies, with the first as the reference, at the times of the run that
+    has fewer rows."""
+    norm = _norm(column, kind, span)
+    first, second = courses
+    if len(second[0]) <= len(first[0]):
+        norm.reference = Reference(finest={})
+        return norms.error(norm, sides[1], first)
+    norm.reference = Reference(times=list(first[0]), values=list(first[1]))
+    return norms.error(norm, sides[1])
+
+
+def _row(column, sides, span):
+    row = Row(column, bars=tuple(side.bars.get(column) for side in sides))
+    try:
+        courses = [norms.course(side, _norm(column, reading.AT_THE_END, span)) for side in sides]
+        if not all(np.isfinite(values).all() for _, values in courses):
+            raise norms.NoError("it has values that are not finite")
+        at = min(times[-1] for times, _ in courses)
+        row.values = tuple(float(np.interp(at, *course)) for course in courses)
+        row.scale = float(np.abs(courses[0][1]).max())
+        with np.errstate(all="ignore"):  # of a course that is zero
+            row.l2, row.most = (_relative(column, kind, sides, courses, span) for kind in ("l2", "max"))
+    except norms.NoError as why:
+        row.why = str(why) if row.scale != 0 else "the first is zero"
+    return row
+
+
+def compare(sides):
+    """A Comparison. Raises NotARun."""
+    span = reading.common_span(sides)
+    first, second = (list(side.probes.columns)[1:] for side in sides)
+    both = [column for column in first if column in second and not choosing.NOT_PHYSICS.search(column)]
+    # What is zero by symmetry in one run and not in the other is looked at.
+    present = {column for side in sides for column in choosing.chosen(side, [])}
+    return Comparison(sides, span, [_row(column, sides, span) for column in both if column in present],
+                      [column for column in both if column not in present],
+                      [[c for c in first if c not in second], [c for c in second if c not in first]])
+
+
+def sampling(found):
+    """How courses with rows at different times were compared."""
+    times = [side.times[(side.times >= found.span[0] * (1 - SAME)) & (side.times <= found.span[1] * (1 + SAME))]
+             for side in found.sides]
+    counts = [len(t) for t in times]
+    if counts[0] == counts[1] and np.abs(times[0] - times[1]).max() <= SAME * found.span[1]:
+        return "Both have their rows at the same times."
+    fewer = int(counts[1] <= counts[0])
+    return (f"Their rows are at different times ({counts[0]} and {counts[1]} in the time that both have): compared at "
+            f"those of {found.sides[fewer].name}, where {found.sides[1 - fewer].name} is interpolated, on straight "
+            "lines between its rows.")
+
+
+def _largest(rows):
+    """The rows that say how bodies move, or without bodies all; of them the one that is furthest in L2."""
+    names = choosing.headline([row.column for row in rows])
+    return max((row for row in rows if row.column in names), key=lambda row: row.l2)
+
+
+def _how_far(found):
+    rows = found.compared()
+    if not rows:
+        return "No probe of theirs can be compared."
+    worst = _largest(rows)
+    return (f"The largest difference of {'a movement' if worst.unit == 'm' else 'a probe'} is {percent(worst.l2)} "
+            f"in L2, of {curves.plain(worst.column)}.")
+
+
+def _named(rows):
+    more = f" and {len(rows) - NAMED} more" if len(rows) > NAMED else ""
+    return "; ".join(row.words() for row in rows[:NAMED]) + more
+
+
+def _who_has_none(found):
+    have = [side.name for side in found.sides if any(bar.size is not None for bar in side.bars.values())]
+    return {0: "neither run has one", 1: f"only {''.join(have)} has one"}.get(len(have), "no probe has one in both runs")
+
+
+def sentence(found):
+    """(whether they agree within their bars: True, False or None where that is not known; in words)."""
+    known = found.with_bars()
+    if not known:
+        return None, f"Whether they agree within their error bars is not known: {_who_has_none(found)}. {_how_far(found)}"
+    apart = [row for row in known if not row.within()]
+    count = f"{len(known)} probe{'s' if len(known) > 1 else ''} with a bar in both runs"
+    if apart:
+        return False, (f"They do not agree within their error bars: of {count} {len(apart)} "
+                       f"{'are' if len(apart) > 1 else 'is'} further apart at the end than both bars together: "
+                       f"{_named(apart)}. {_how_far(found)}")
+    return True, (f"They agree within their error bars: of {count} none is further apart at the end than both bars "
+                  f"together; nearest to that is {known[0].words()}. {_how_far(found)}")
+
+
+def endings(found):
+    """Sentences of runs that are not complete."""
+    return [f"{side.name} is not complete ({side.outcome()}): compared until "
+            f"{units.with_unit(found.span[1], 's')}." for side in found.sides if side.outcome()]
+
+
+def _number(value, digits=9):
+    return "" if value is None or not math.isfinite(value) else f"{value:.{digits}g}"
+
+
+def write_csv(found, path):
+    """A row a probe, in SI units; shares are of the first run."""
+    with open(path, "w", newline="") as file:
+        for which, side in zip(("first", "second"), found.sides):
+            file.write(f"# {which}: {' '.join(side.name.split())}, {' '.join(str(side.folder).split())}\n")
+        file.write(f"# from {found.span[0]:.9g} s to {found.span[1]:.9g} s; values are of the end, of a place its "
+                   "change\n")
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(TABLE)
+        for row in found.rows:
+            within = {True: "yes", False: "no", None: ""}[row.within()]
+            writer.writerow([
+                row.column, row.unit, _number(row.values[0]), _number(row.sizes[0], 3), _number(row.values[1]),
+                _number(row.sizes[1], 3), _number(row.difference), _number(row.difference / row.scale if row.scale
+                                                                           else None, 4),
+                _number(row.l2, 4), _number(row.most, 4), within, row.remark()])
