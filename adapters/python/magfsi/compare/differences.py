@@ -75,6 +75,11 @@ class Comparison:
     zero: list = field(default_factory=list)  # columns that are nothing in both
     alone: list = field(default_factory=list)  # of each run the columns that the other has not
 
+    def is_constant(self, column):
+        """In both runs, with the same value."""
+        values = np.concatenate([side.probes.columns[column] for side in self.sides])
+        return bool(np.ptp(values) <= curves.ROUNDING * np.abs(values).max())
+
     def compared(self):
         return [row for row in self.rows if not row.why]
 
@@ -122,7 +127,8 @@ def compare(sides):
     """A Comparison. Raises NotARun."""
     span = reading.common_span(sides)
     first, second = (list(side.probes.columns)[1:] for side in sides)
-    both = [column for column in first if column in second and not choosing.NOT_PHYSICS.search(column)]
+    both = [column for column in first if column in second and not choosing.NOT_PHYSICS.search(column)
+            and not curves.is_told_by_a_displacement(column, first)]
     # What is zero by symmetry in one run and not in the other is looked at.
     present = {column for side in sides for column in choosing.chosen(side, [])}
     return Comparison(sides, span, [_row(column, sides, span) for column in both if column in present],

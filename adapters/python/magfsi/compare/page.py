@@ -6,7 +6,7 @@ import html
 import json
 import math
 
-from magfsi import units
+from magfsi import curves, units
 from magfsi.compare import differences
 from magfsi.compare import sides as reading
 from magfsi.cost.report import duration, percent, size
@@ -44,7 +44,9 @@ def _within(row):
 
 
 def _share(value):
-    return percent(value) if math.isfinite(value) else ""
+    if not math.isfinite(value):
+        return ""
+    return percent(value) if value == 0 or abs(value) > curves.ROUNDING else f"below {percent(curves.ROUNDING)}"
 
 
 def _probes(found):
@@ -151,14 +153,14 @@ def _header(found, title):
                       f'<p class="grey">{_text(differences.sampling(found))} {_text(_bars(found))}</p></header>'])
 
 
-def assemble(found, curves, fields, fields_words):
-    """The page as text. curves: pictures; fields: a picture, or None and why."""
+def assemble(found, courses, fields, fields_words):
+    """The page as text. courses: pictures; fields: a picture, or None and why."""
     names = [side.name for side in found.sides]
     title = f"{found.sides[0].scene.get('name', '')}: {names[0]} and {names[1]}"
     about = (f'<p class="grey">Values are those at {units.with_unit(found.span[1], "s", 4)}, of a place its change from '
              f"the start. Shares are of {_text(names[0])}: of its largest value, in L2 of its root mean square.</p>")
     parts = [_header(found, title), "<main>", _section("Probes", about, _probes(found), *_left_out(found)),
-             _section("Curves", *(_picture(file, "every probe of both runs") for file in curves)),
+             _section("Curves", *(_picture(file, "every probe of both runs") for file in courses)),
              _section("Fields", f'<p class="grey">{_text(fields_words)}</p>',
                       _picture(fields, fields_words) if fields else ""),
              _section("Cost", f"<p>{_text(cost_sentence(found))}</p>", _costs(found)),

@@ -54,8 +54,9 @@ def _draw_panel(axes, found, title, unit, some):
 
 
 def draw_curves(found, out):
-    """The files: every probe that both have, but for those that are nothing in both."""
-    compared = {row.column for row in found.rows}
+    """The files: every probe that both have, but for those that are nothing in both, or one and the same
+    constant."""
+    compared = {row.column for row in found.rows if not found.is_constant(row.column)}
     every = curves.panels([column for column in found.sides[0].probes.columns if column in compared])
     plt.rcParams.update(LETTERS)
     files = []
@@ -92,7 +93,7 @@ def pairs(first, second, span, most=INSTANTS):
         return []
     near = [(float(t), float(second[np.abs(second - t).argmin()])) for t in first]
     same = [pair for pair in near if abs(pair[0] - pair[1]) <= SAME * span[1]]
-    found = [pair for pair in same if pair[0] > span[0] + SAME * span[1]] or same or near
+    found = [pair for pair in same or near if pair[0] > span[0] + SAME * span[1]]
     return [found[i] for i in (fields.spread(len(found), most + 1)[1:] if len(found) > most else range(len(found)))]
 
 
@@ -159,9 +160,9 @@ def _ranges(slices, quantity):
     """(map, low, high) of the quantity and of its difference; what is beyond has the colour of the end."""
     def largest(arrays):
         every = np.abs(np.concatenate([values.ravel() for values in arrays]))
-        return float(np.quantile(every, fields.SHARE_IN_COLOUR)) or 1.0
-    high = largest([s.values for found in slices for s in found[:2]])
-    apart = largest([found[2] for found in slices])
+        return float(np.quantile(every, fields.SHARE_IN_COLOUR))
+    high = largest([s.values for found in slices for s in found[:2]]) or 1.0
+    apart = largest([found[2] for found in slices]) or high
     of_values = ("viridis", 0.0, high) if quantity == "speed" else ("coolwarm", -high, high)
     return of_values, ("coolwarm", -apart, apart)
 
@@ -213,7 +214,7 @@ def draw_fields(found, out, quantity="speed", plane=None):
         times = pairs(*([time for time, _ in fields.stored_frames(side.folder, "structure.pvd")] for side in sides),
                       found.span)
     if not times:
-        return None, "No fields in both runs: output.fluid and output.structure of the scene write them."
+        return None, "No fields in both runs after their start: output.fluid and output.structure of the scene write them."
     plt.rcParams.update(LETTERS)
     columns = 3 if slices else 1
     ratio = np.ptp(view.limits[1]) / np.ptp(view.limits[0]) if view.limits else 1.0

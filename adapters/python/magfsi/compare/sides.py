@@ -119,9 +119,10 @@ def _solver(side):
 def give_names(sides, chosen=None):
     """Of the legends: those that are chosen, else what tells the two apart."""
     solvers = [FLUIDS.get(_solver(side), _solver(side)) for side in sides]
-    candidates = [solvers, [side.scene.get("name") for side in sides], [side.folder.resolve().name for side in sides],
-                  [str(side.folder) for side in sides]]
-    names = chosen or next((c for c in candidates if None not in c and c[0] != c[1]), ["first", "second"])
+    paths = [side.folder.resolve().parts for side in sides]
+    ends = [["/".join(path[-n:]) for path in paths] for n in range(1, max(map(len, paths)) + 1)]
+    candidates = [solvers, [side.scene.get("name") for side in sides], *ends]
+    names = chosen or next(c for c in candidates if None not in c and c[0] != c[1])
     for side, name in zip(sides, names):
         side.name = name
 
