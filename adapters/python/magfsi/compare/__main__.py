@@ -58,9 +58,7 @@ def parsed():
                            metavar="KEY=VALUE", help=f"the same for the run with {fluid} as its fluid")
     scene.add_argument("--ranks", default="", help="MPI ranks: structure=N,fluid=M")
     scene.add_argument("--again", action="store_true", help="repeat runs that are kept")
-    chosen = options.parse_args()
-    check(chosen)
-    return chosen
+    return options.parse_args()
 
 
 def check(chosen):
@@ -151,6 +149,7 @@ def write(found, out, quantity, plane):
 
 def main():
     chosen = parsed()
+    check(chosen)
     if len(chosen.what) == 1:
         folders, out = with_both_fluids(chosen)
     else:
@@ -163,5 +162,7 @@ def main():
     print(f"{files[-1]}, " + ", ".join(file.name for file in files[:-1]))
 
 
+REFUSALS = Refused, data.NotARun
+
 if __name__ == "__main__":
-    ended_well(main, "magfsi compare", (Refused, data.NotARun))
+    ended_well(main, "magfsi compare", REFUSALS)
