@@ -121,6 +121,13 @@ class Bars(unittest.TestCase):
             self.assertIn("30 % in L2, of body.a", said)
             self.assertEqual({row["within bars"] for row in rows.values()}, {""})
 
+    def test_a_small_component_is_not_the_largest_difference(self):
+        columns = {"t[s]": TIMES, "body.com_x[m]": 1e-5 * TIMES, "body.com_z[m]": 1e-3 * TIMES}
+        other = {**columns, "body.com_x[m]": 2e-5 * TIMES, "body.com_z[m]": 1.1e-3 * TIMES}
+        rows, said, _ = compared(made(columns), made(other))
+        self.assertIn("10 % in L2, of body.com_z", said)
+        self.assertAlmostEqual(number(rows["body.com_x[m]"], "l2[1]"), 1, places=4)
+
     def test_of_a_cost_result_the_share_is_taken(self):
         """|error| + its bar, in parts of the largest value: 8 % of 1 J; a doubtful one is none."""
         folder = Path(testing.new_folder())
@@ -256,7 +263,7 @@ class Refused(unittest.TestCase):
         self.refused("beside two run folders", run, other, "--set", "time.end=1 s")
         self.refused("beside two run folders", run, other, "--openfoam", "fluid.courant=0.1")
         self.refused("found no result of magfsi cost", run, other, "--bars-second", testing.new_folder())
-        self.refused("is over equilibrium", run, made({"t[s]": TIMES, ENERGY: WAVE},
+        self.refused("over equilibrium", run, made({"t[s]": TIMES, ENERGY: WAVE},
                                                       {"time": {"end": 1, "equilibrium": {}}}))
 
     def test_words_that_are_none(self):

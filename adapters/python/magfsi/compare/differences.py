@@ -22,6 +22,7 @@ TABLE = ("probe", "unit", "first", "first_bar", "second", "second_bar", "differe
 TINY = 1e-300  # in place of a bar of zero
 SAME = 1e-9  # of the time that both have: rows at the same times
 NAMED = 4  # probes in a sentence
+COMPONENT = 0.3  # of its vector's largest: less is a small one
 
 
 @dataclass
@@ -57,7 +58,7 @@ class Row:
         """"1.19 mm ± 0.15 mm"."""
         size = self.sizes[which]
         return units.with_unit(self.values[which], self.unit, 4) + (
-            "" if size is None else f" ± {units.with_unit(size, self.unit, 2)}")
+            "" if size is None else f" ± {units.with_unit(size, self.unit)}")
 
     def words(self):
         return f"{curves.plain(self.column)}, {self.value_words(0)} and {self.value_words(1)}"
@@ -150,7 +151,13 @@ def sampling(found):
 
 
 def _largest(rows):
-    """The rows that say how bodies move, or without bodies all; of them the one that is furthest in L2."""
+    """Of the rows that say how bodies move, or without bodies of all, the one that is furthest in L2. A small
+    component of a vector is not looked at: nearly all of it may be the error of a large one."""
+    scale = {}
+    for row in rows:
+        key = choosing.vector_of(row.column)
+        scale[key] = max(scale.get(key, 0.0), row.scale)
+    rows = [row for row in rows if row.scale >= COMPONENT * scale[choosing.vector_of(row.column)]]
     names = choosing.headline([row.column for row in rows])
     return max((row for row in rows if row.column in names), key=lambda row: row.l2)
 

@@ -92,8 +92,8 @@ def pairs(first, second, span, most=INSTANTS):
     if not len(first) or not len(second):
         return []
     near = [(float(t), float(second[np.abs(second - t).argmin()])) for t in first]
-    same = [pair for pair in near if abs(pair[0] - pair[1]) <= SAME * span[1]]
-    found = [pair for pair in same or near if pair[0] > span[0] + SAME * span[1]]
+    later = [pair for pair in near if min(pair) > span[0] + SAME * span[1]]
+    found = [pair for pair in later if abs(pair[0] - pair[1]) <= SAME * span[1]] or later
     return [found[i] for i in (fields.spread(len(found), most + 1)[1:] if len(found) > most else range(len(found)))]
 
 
