@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""./magfsi compare SCENE: the small swimmer on the lattice and in OpenFOAM. Both bend alike, what was run is kept, and
-what OpenFOAM does not do is refused with how to change the scene for it alone."""
+"""./magfsi compare SCENE: the small swimmer on the lattice and in OpenFOAM. Both bend alike, what
+was run is kept, and what OpenFOAM does not do is refused with how to change the scene for it
+alone."""
 import unittest
 from pathlib import Path
 
@@ -8,14 +9,16 @@ from command import called
 
 from magfsi import runs, testing
 
-# As docs/openfoam.md compares them: the penalty for both, OpenFOAM with a step twice as long, and the strength raised
-# by as much, so that both have the same drag coefficient.
+# As docs/openfoam.md compares them: the penalty for both, OpenFOAM with a step twice as long, and
+# the strength raised by as much, so that both have the same drag coefficient.
 WORDS = ["--set", "time.end=2 ms", "--set", "coupling.immersed_boundary.forcing=penalty",
-         "--set", "coupling.immersed_boundary.kernel=3-point", "--set", "output.fluid={every: 0.5 ms, fields: [velocity]}",
+         "--set", "coupling.immersed_boundary.kernel=3-point",
+         "--set", "output.fluid={every: 0.5 ms, fields: [velocity]}",
          "--set", "output.structure.every=0.5 ms", "--openfoam", "fluid.courant=0.1",
          "--openfoam", "coupling.immersed_boundary.strength=2",
          "--openfoam", "fluid.grading.uniform=[[2 mm, 1 mm, 3 mm], [6.2 mm, 3 mm, 5.2 mm]]"]
-# Mid rise, L2: half of what OpenFOAM without its force in balance with the pressure was off by (docs/openfoam.md).
+# Mid rise, L2: half of what OpenFOAM was off by without its force in balance with the pressure
+# (docs/openfoam.md).
 APART = 0.12
 
 
@@ -37,7 +40,8 @@ class BothFluids(unittest.TestCase):
 
     def test_it_says_who_is_who_and_what_they_cost(self):
         rows = runs.read_rows(self.out / "cost.csv")
-        self.assertEqual([(row["run"], row["fluid"]) for row in rows], [("lattice", "lbm"), ("OpenFOAM", "openfoam")])
+        self.assertEqual([(row["run"], row["fluid"]) for row in rows],
+                         [("lattice", "lbm"), ("OpenFOAM", "openfoam")])
         for row in rows:
             self.assertGreater(float(row["processor[s]"]), 0)
         self.assertIn("is not known: neither run has one", self.done.out)

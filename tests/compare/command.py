@@ -11,7 +11,8 @@ from unittest import mock
 from magfsi import ending, testing
 from magfsi.compare import __main__ as command
 
-SCENE = {"name": "made", "time": {"end": 1.0}, "fluid": {"solver": "lbm", "box": [8e-3, 4e-3, 8e-3], "spacing": 1e-3}}
+SCENE = {"name": "made", "time": {"end": 1.0},
+         "fluid": {"solver": "lbm", "box": [8e-3, 4e-3, 8e-3], "spacing": 1e-3}}
 
 
 def called(*words):
@@ -29,10 +30,12 @@ def made(columns, scene=None, summary=None, name="run"):
     """A run folder with these columns {name: values}; name: of the folder."""
     folder = Path(testing.new_folder()) / name
     folder.mkdir()
-    for file, content in (("scene.json", {**SCENE, **(scene or {})}), ("run.json", [{"command": "by hand"}]),
+    for file, content in (("scene.json", {**SCENE, **(scene or {})}),
+                          ("run.json", [{"command": "by hand"}]),
                           ("summary.json", {"outcome": "completed", **(summary or {})})):
         (folder / file).write_text(json.dumps(content))
-    rows = "".join(",".join(f"{value:.17g}" for value in row) + "\n" for row in zip(*columns.values(), strict=True))
+    rows = "".join(",".join(f"{value:.17g}" for value in row) + "\n"
+                   for row in zip(*columns.values(), strict=True))
     (folder / "probes.csv").write_text(",".join(columns) + "\n" + rows)
     return folder
 

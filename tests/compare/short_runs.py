@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""./magfsi compare of real, short runs: a run and itself on other ranks are the same; another kernel is not; every probe
-is in the table, and the flow of both in the picture."""
+"""./magfsi compare of real, short runs: a run and itself on other ranks are the same; another
+kernel is not; every probe is in the table, and the flow of both in the picture."""
 import unittest
 from pathlib import Path
 
@@ -25,7 +25,7 @@ def compared(first, second, *words):
 
 class ShortRuns(unittest.TestCase):
     def test_other_kernels_differ_and_all_is_shown(self):
-        first, second = testing.shared_run(testing.SMALL, FIELDS), testing.shared_run(testing.SMALL, OTHER)
+        first, second = (testing.shared_run(testing.SMALL, words) for words in (FIELDS, OTHER))
         rows, said, out = compared(first, second, "--names", "three,two", "--field", "pressure")
         found = {row["probe"]: row for row in rows}
         probes, others = first.probes(), second.probes()
@@ -35,26 +35,30 @@ class ShortRuns(unittest.TestCase):
             a, b = np.array(probes[column]), np.array(others[column])
             right = np.sqrt(((b - a)**2).sum() / (a**2).sum())
             self.assertGreater(right, 0)
-            self.assertAlmostEqual(float(found[column]["l2[1]"]) / right, 1, places=3)  # four digits in the table
+            # Four digits are in the table.
+            self.assertAlmostEqual(float(found[column]["l2[1]"]) / right, 1, places=3)
         self.assertIn("is not known: neither run has one", said)
         page = (out / "compare.html").read_text()
         self.assertIn("The pressure in the plane xz", page)
         self.assertIn("coupling.immersed_boundary.kernel", page.split("Where the scenes differ")[1])
         for name in ("curves.png", "fields.png"):
             with Image.open(out / name) as picture:
-                self.assertGreater(np.array(picture.convert("RGB")).std(), 10, name)  # something is to be seen
+                # Something is to be seen.
+                self.assertGreater(np.array(picture.convert("RGB")).std(), 10, name)
 
     def test_a_run_and_itself_on_other_ranks(self):
-        """The same to rounding, which grows in a millisecond to less than a thousandth of a per cent."""
+        """The same to rounding, which grows in a millisecond to less than a thousandth of a per
+        cent."""
         first = testing.shared_run(testing.SMALL, FIELDS)
-        rows, _, _ = compared(first, testing.shared_run(testing.SMALL, FIELDS, "structure=1,fluid=2"))
+        second = testing.shared_run(testing.SMALL, FIELDS, "structure=1,fluid=2")
+        rows, _, _ = compared(first, second)
         self.assertGreater(len(rows), 10)
         for row in rows:
             self.assertLess(float(row["l2[1]"] or 0), 1e-5, row["probe"])
 
     def test_processor_time_is_in_the_summary(self):
-        """Of a process that works: at least a tenth of its working time on a busy machine, which another program may have had
-        the rest of; at most a minute."""
+        """Of a process that works: at least a tenth of its working time, of which other programs
+        may have had the rest on a busy machine; at most a minute."""
         summary = testing.shared_run(testing.SMALL, FIELDS).summary()
         self.assertEqual(set(summary["processor_s"]), {"structure", "fluid"})
         for side, seconds in summary["processor_s"].items():

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far the probes of two runs are apart, whether that is within their error bars, as numbers, a table
-and a sentence.
+"""How far the probes of two runs are apart, and whether that is within their error bars: numbers, a
+table and a sentence.
 
-Runs have their rows at times of their own. They are compared at those of the run that has fewer in the time that
-both have, where the other is on straight lines between its rows."""
+Runs have their rows at times of their own. They are compared at those of the run that has fewer in
+the time that both have, where the other is on straight lines between its rows."""
 import csv
 import math
 from dataclasses import dataclass, field
@@ -17,8 +17,8 @@ from magfsi.cost.report import percent
 from magfsi.study import norms
 from magfsi.study.study_file import Reference
 
-TABLE = ("probe", "unit", "first", "first_bar", "second", "second_bar", "difference", "difference of largest[1]",
-         "l2[1]", "largest[1]", "within bars", "remark")
+TABLE = ("probe", "unit", "first", "first_bar", "second", "second_bar", "difference",
+         "difference of largest[1]", "l2[1]", "largest[1]", "within bars", "remark")
 TINY = 1e-300  # in place of a bar of zero
 SAME = 1e-9  # of the time that both have: rows at the same times
 NAMED = 4  # probes in a sentence
@@ -64,7 +64,8 @@ class Row:
         return f"{curves.plain(self.column)}, {self.value_words(0)} and {self.value_words(1)}"
 
     def remark(self):
-        return self.why or "; ".join(f"{which}: {bar.why}" for which, bar in zip(("first", "second"), self.bars)
+        told = zip(("first", "second"), self.bars)
+        return self.why or "; ".join(f"{which}: {bar.why}" for which, bar in told
                                      if bar and bar.why)
 
 
@@ -97,8 +98,8 @@ def _norm(column, kind, span):
 
 
 def _relative(column, kind, sides, courses, span):
-    """An error of the second by a norm of studies, with the first as the reference, at the times of the run that
-    has fewer rows."""
+    """An error of the second by a norm of studies, with the first as the reference, at the times of
+    the run that has fewer rows."""
     norm = _norm(column, kind, span)
     first, second = courses
     if len(second[0]) <= len(first[0]):
@@ -108,8 +109,18 @@ def _relative(column, kind, sides, courses, span):
     return norms.error(norm, sides[1])
 
 
+def _bar(side, column, sides, span):
+    """A bar is of a run's last value, and tells nothing of one that is earlier by more than the time
+    between rows."""
+    bar = side.bars.get(column)
+    between = max(np.median(np.diff(one.times)) for one in sides)
+    if bar and side.times[-1] > span[1] + between * (1 + SAME):
+        return reading.Bar(None, f"its bar is of {units.with_unit(side.times[-1], 's')}")
+    return bar
+
+
 def _row(column, sides, span):
-    row = Row(column, bars=tuple(side.bars.get(column) for side in sides))
+    row = Row(column, bars=tuple(_bar(side, column, sides, span) for side in sides))
     try:
         courses = [norms.course(side, _norm(column, reading.AT_THE_END, span)) for side in sides]
         if not all(np.isfinite(values).all() for _, values in courses):
@@ -118,7 +129,8 @@ def _row(column, sides, span):
         row.values = tuple(float(np.interp(at, *course)) for course in courses)
         row.scale = float(np.abs(courses[0][1]).max())
         with np.errstate(all="ignore"):  # of a course that is zero
-            row.l2, row.most = (_relative(column, kind, sides, courses, span) for kind in ("l2", "max"))
+            row.l2, row.most = (_relative(column, kind, sides, courses, span)
+                                for kind in ("l2", "max"))
     except norms.NoError as why:
         row.why = str(why) if row.scale != 0 else "the first is zero"
     return row
@@ -128,31 +140,34 @@ def compare(sides):
     """A Comparison. Raises NotARun."""
     span = reading.common_span(sides)
     first, second = (list(side.probes.columns)[1:] for side in sides)
-    both = [column for column in first if column in second and not choosing.NOT_PHYSICS.search(column)
+    both = [column for column in first if column in second
+            and not choosing.NOT_PHYSICS.search(column)
             and not curves.is_told_by_a_displacement(column, first)]
     # What is zero by symmetry in one run and not in the other is looked at.
     present = {column for side in sides for column in choosing.chosen(side, [])}
-    return Comparison(sides, span, [_row(column, sides, span) for column in both if column in present],
-                      [column for column in both if column not in present],
-                      [[c for c in first if c not in second], [c for c in second if c not in first]])
+    rows = [_row(column, sides, span) for column in both if column in present]
+    alone = [[c for c in first if c not in second], [c for c in second if c not in first]]
+    return Comparison(sides, span, rows, [c for c in both if c not in present], alone)
 
 
 def sampling(found):
     """How courses with rows at different times were compared."""
-    times = [side.times[(side.times >= found.span[0] * (1 - SAME)) & (side.times <= found.span[1] * (1 + SAME))]
-             for side in found.sides]
+    begin, end = found.span[0] * (1 - SAME), found.span[1] * (1 + SAME)
+    times = [side.times[(side.times >= begin) & (side.times <= end)] for side in found.sides]
     counts = [len(t) for t in times]
     if counts[0] == counts[1] and np.abs(times[0] - times[1]).max() <= SAME * found.span[1]:
         return "Both have their rows at the same times."
     fewer = int(counts[1] <= counts[0])
-    return (f"Their rows are at different times ({counts[0]} and {counts[1]} in the time that both have): compared at "
-            f"those of {found.sides[fewer].name}, where {found.sides[1 - fewer].name} is interpolated, on straight "
-            "lines between its rows.")
+    names = [side.name for side in found.sides]
+    return (f"Their rows are at different times ({counts[0]} and {counts[1]} in the time that both "
+            f"have): compared at those of {names[fewer]}, where {names[1 - fewer]} is "
+            "interpolated, on straight lines between its rows.")
 
 
 def _largest(rows):
-    """Of the rows that say how bodies move, or without bodies of all, the one that is furthest in L2. A small
-    component of a vector is not looked at: nearly all of it may be the error of a large one."""
+    """Of the rows that say how bodies move, or without bodies of all, the one that is furthest in
+    L2. A small component of a vector is not looked at: nearly all of it may be the error of a large
+    one."""
     scale = {}
     for row in rows:
         key = choosing.vector_of(row.column)
@@ -167,8 +182,9 @@ def _how_far(found):
     if not rows:
         return "No probe of theirs can be compared."
     worst = _largest(rows)
-    return (f"The largest difference of {'a movement' if worst.unit == 'm' else 'a probe'} is {percent(worst.l2)} "
-            f"in L2, of {curves.plain(worst.column)}.")
+    what = "a movement" if worst.unit == "m" else "a probe"
+    return (f"The largest difference of {what} is {percent(worst.l2)} in L2, of "
+            f"{curves.plain(worst.column)}.")
 
 
 def _named(rows):
@@ -177,23 +193,28 @@ def _named(rows):
 
 
 def _who_has_none(found):
-    have = [side.name for side in found.sides if any(bar.size is not None for bar in side.bars.values())]
-    return {0: "neither run has one", 1: f"only {''.join(have)} has one"}.get(len(have), "no probe has one in both runs")
+    have = [side.name for i, side in enumerate(found.sides)
+            if any(row.sizes[i] is not None for row in found.rows)]
+    return {0: "neither run has one", 1: f"only {''.join(have)} has one"}.get(
+        len(have), "no probe has one in both runs")
 
 
 def sentence(found):
-    """(whether they agree within their bars: True, False or None where that is not known; in words)."""
+    """(whether they agree within their bars, None where that is not known; in words)."""
     known = found.with_bars()
     if not known:
-        return None, f"Whether they agree within their error bars is not known: {_who_has_none(found)}. {_how_far(found)}"
+        return None, ("Whether they agree within their error bars is not known: "
+                      f"{_who_has_none(found)}. {_how_far(found)}")
     apart = [row for row in known if not row.within()]
     count = f"{len(known)} probe{'s' if len(known) > 1 else ''} with a bar in both runs"
     if apart:
-        return False, (f"They do not agree within their error bars: of {count} {len(apart)} "
-                       f"{'are' if len(apart) > 1 else 'is'} further apart at the end than both bars together: "
-                       f"{_named(apart)}. {_how_far(found)}")
-    return True, (f"They agree within their error bars: of {count} none is further apart at the end than both bars "
-                  f"together; nearest to that is {known[0].words()}. {_how_far(found)}")
+        are = "are" if len(apart) > 1 else "is"
+        return False, (f"They do not agree within their error bars: of {count} {len(apart)} {are} "
+                       f"further apart at the end than both bars together: {_named(apart)}. "
+                       f"{_how_far(found)}")
+    return True, (f"They agree within their error bars: of {count} none is further apart at the "
+                  f"end than both bars together; nearest to that is {known[0].words()}. "
+                  f"{_how_far(found)}")
 
 
 def endings(found):
@@ -210,15 +231,17 @@ def write_csv(found, path):
     """A row a probe, in SI units; shares are of the first run."""
     with open(path, "w", newline="") as file:
         for which, side in zip(("first", "second"), found.sides):
-            file.write(f"# {which}: {' '.join(side.name.split())}, {' '.join(str(side.folder).split())}\n")
-        file.write(f"# from {found.span[0]:.9g} s to {found.span[1]:.9g} s; values are of the end, of a place its "
-                   "change\n")
+            words = f"{side.name}, {side.folder}"
+            file.write(f"# {which}: {' '.join(words.split())}\n")
+        file.write(f"# from {found.span[0]:.9g} s to {found.span[1]:.9g} s; values are of the end, "
+                   "of a place its change\n")
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(TABLE)
         for row in found.rows:
             within = {True: "yes", False: "no", None: ""}[row.within()]
-            writer.writerow([
-                row.column, row.unit, _number(row.values[0]), _number(row.sizes[0], 3), _number(row.values[1]),
-                _number(row.sizes[1], 3), _number(row.difference), _number(row.difference / row.scale if row.scale
-                                                                           else None, 4),
-                _number(row.l2, 4), _number(row.most, 4), within, row.remark()])
+            share = row.difference / row.scale if row.scale else None
+            values = [word for value, size in zip(row.values, row.sizes)
+                      for word in (_number(value), _number(size, 3))]
+            writer.writerow([row.column, row.unit, *values, _number(row.difference),
+                             *(_number(value, 4) for value in (share, row.l2, row.most)), within,
+                             row.remark()])

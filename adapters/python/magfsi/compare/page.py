@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of a comparison, one file that fetches nothing, in the style of the page of a run; and what both cost."""
+"""The page of a comparison, one file that fetches nothing, in the style of the page of a run; and
+what both cost."""
 import base64
 import csv
 import html
@@ -17,8 +18,8 @@ STYLE = """
 img { display: block; max-width: 100%; background: #fff; border-radius: 4px; }
 th.number { text-align: right; }
 """
-COST = ("run", "fluid", "wall[s]", "processor[s]", "steps[1]", "cells of the fluid[1]", "ranks", "memory[bytes]",
-        "machine")
+COST = ("run", "fluid", "wall[s]", "processor[s]", "steps[1]", "cells of the fluid[1]", "ranks",
+        "memory[bytes]", "machine")
 
 
 def _text(value):
@@ -27,38 +28,45 @@ def _text(value):
 
 def _cells(values, kind="td"):
     """The first is a word, the others are numbers."""
-    return "".join(f"<{kind}>{value}</{kind}>" if i == 0 else f'<{kind} class="number">{value}</{kind}>'
-                   for i, value in enumerate(values))
+    first, *numbers = values
+    return f"<{kind}>{first}</{kind}>" + "".join(f'<{kind} class="number">{value}</{kind}>'
+                                                 for value in numbers)
 
 
 def _table(head, rows):
     """Cells of the head are text, the others HTML."""
-    lines = "\n".join(f"<tr>{_cells(row)}</tr>" for row in rows)
-    return f'<div class="wide"><table>\n<tr>{_cells([_text(h) for h in head], "th")}</tr>\n{lines}\n</table></div>'
+    lines = [_cells([_text(word) for word in head], "th"), *(_cells(row) for row in rows)]
+    text = "\n".join(f"<tr>{line}</tr>" for line in lines)
+    return f'<div class="wide"><table>\n{text}\n</table></div>'
 
 
 # --- probes ---
 
 def _within(row):
-    return {None: "", True: '<span class="good">yes</span>', False: '<span class="bad">no</span>'}[row.within()]
+    return {None: "", True: '<span class="good">yes</span>',
+            False: '<span class="bad">no</span>'}[row.within()]
 
 
 def _share(value):
     if not math.isfinite(value):
         return ""
-    return percent(value) if value == 0 or abs(value) > curves.ROUNDING else f"below {percent(curves.ROUNDING)}"
+    if 0 < abs(value) <= curves.ROUNDING:
+        return f"below {percent(curves.ROUNDING)}"
+    return percent(value)
 
 
 def _probes(found):
-    head = ["probe", *(side.name for side in found.sides), "difference", "of the largest", "L2", "largest at any time",
-            "within both bars", "remark"]
+    head = ["probe", *(side.name for side in found.sides), "difference", "of the largest", "L2",
+            "largest at any time", "within both bars", "remark"]
     rows = []
     for row in found.rows:
-        known = math.isfinite(row.difference)
-        rows.append([_text(row.column), *(_text(row.value_words(which)) if known else "" for which in (0, 1)),
-                     _text(units.with_unit(row.difference, row.unit)) if known else "",
-                     _share(row.difference / row.scale if row.scale else math.nan), _share(row.l2), _share(row.most),
-                     _within(row), _text(row.remark())])
+        values = ["", "", ""]
+        if math.isfinite(row.difference):
+            values = [row.value_words(0), row.value_words(1),
+                      units.with_unit(row.difference, row.unit)]
+        share = row.difference / row.scale if row.scale else math.nan
+        rows.append([_text(row.column), *map(_text, values), _share(share), _share(row.l2),
+                     _share(row.most), _within(row), _text(row.remark())])
     return _table(head, rows)
 
 
@@ -72,44 +80,52 @@ def _left_out(found):
 def _bars(found):
     have = [f"{side.name}: {side.bars_from}" for side in found.sides if side.bars_from]
     return "Error bars of " + "; ".join(have) + "." if have else (
-        "No run has error bars: ./magfsi run --error writes them, and --bars-first and --bars-second take those of a "
-        "result of ./magfsi cost.")
+        "No run has error bars: ./magfsi run --error writes them, and --bars-first and "
+        "--bars-second take those of a result of ./magfsi cost.")
 
 
 # --- cost ---
 
 def costs(found):
     """A row a run; None is what is not recorded."""
-    return [[side.name, side.scene.get("fluid", {}).get("solver", ""), side.summary.get("wall_s"), side.processor_s(),
-             side.summary.get("steps"), side.summary.get("fluid", {}).get("cells"),
-             ", ".join(f"{name} {n}" for name, n in side.summary.get("ranks", {}).items()), side.memory_bytes(),
-             side.last_start().get("machine", "")] for side in found.sides]
+    rows = []
+    for side in found.sides:
+        summary = side.summary
+        ranks = ", ".join(f"{name} {n}" for name, n in summary.get("ranks", {}).items())
+        rows.append([side.name, side.scene.get("fluid", {}).get("solver", ""),
+                     summary.get("wall_s"), side.processor_s(), summary.get("steps"),
+                     summary.get("fluid", {}).get("cells"), ranks, side.memory_bytes(),
+                     side.last_start().get("machine", "")])
+    return rows
 
 
 def write_costs(found, path):
     with open(path, "w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(COST)
-        writer.writerows([["" if v is None else f"{v:.6g}" if isinstance(v, float) else v for v in row]
-                          for row in costs(found)])
+        for row in costs(found):
+            writer.writerow(["" if value is None else f"{value:.6g}" if isinstance(value, float)
+                             else value for value in row])
 
 
 def cost_sentence(found):
     """How many times as much the second takes."""
     first, second = costs(found)
-    parts = [f"{second[i] / first[i]:.2g} times the {what} time" for i, what in ((2, "wall"), (3, "processor"))
-             if first[i] and second[i]]
-    return f"{second[0]} takes {' and '.join(parts)} of {first[0]}." if parts else "What they cost is not recorded."
+    parts = [f"{second[i] / first[i]:.2g} times the {what} time"
+             for i, what in ((2, "wall"), (3, "processor")) if first[i] and second[i]]
+    if not parts:
+        return "What they cost is not recorded."
+    return f"{second[0]} takes {' and '.join(parts)} of {first[0]}."
 
 
 def _costs(found):
     def seconds(value):
         return duration(value) if value else "not recorded"
-    rows = [[_text(name), _text(fluid), seconds(wall), seconds(processor), steps or "", cells or "", _text(ranks),
-             size(memory), _text(machine)]
+    rows = [[_text(name), _text(fluid), seconds(wall), seconds(processor), steps or "", cells or "",
+             _text(ranks), size(memory), _text(machine)]
             for name, fluid, wall, processor, steps, cells, ranks, memory, machine in costs(found)]
-    return _table(["run", "fluid", "wall time", "processor time", "steps", "cells of the fluid", "ranks", "memory",
-                   "machine"], rows)
+    return _table(["run", "fluid", "wall time", "processor time", "steps", "cells of the fluid",
+                   "ranks", "memory", "machine"], rows)
 
 
 # --- the rest ---
@@ -129,10 +145,12 @@ def _origin(found):
     lines = []
     for side in found.sides:
         last = side.last_start()
-        versions = ", ".join(f"{name} {version}" for name, version in side.summary.get("versions", {}).items())
-        lines += [f"{side.name}: {side.folder}", f"  begun {last.get('begun', '')}: {last.get('command', '')}",
-                  f"  {versions}"]
-    lines.append("both on a page to play with: ./magfsi report " + " ".join(str(side.folder) for side in found.sides))
+        versions = side.summary.get("versions", {})
+        lines += [f"{side.name}: {side.folder}",
+                  f"  begun {last.get('begun', '')}: {last.get('command', '')}",
+                  "  " + ", ".join(f"{name} {version}" for name, version in versions.items())]
+    folders = " ".join(str(side.folder) for side in found.sides)
+    lines.append(f"both on a page to play with: ./magfsi report {folders}")
     return "<pre>" + _text("\n".join(lines)) + "</pre>"
 
 
@@ -148,27 +166,32 @@ def _section(title, *parts):
 def _header(found, title):
     agree, words = differences.sentence(found)
     kind = {True: " good", False: " bad", None: ""}[agree]
+    about = f"{differences.sampling(found)} {_bars(found)}"
     return "\n".join([f'<header><h1>{_text(title)}</h1><p class="verdict{kind}">{_text(words)}</p>',
                       *(f'<p class="bad">{_text(line)}</p>' for line in differences.endings(found)),
-                      f'<p class="grey">{_text(differences.sampling(found))} {_text(_bars(found))}</p></header>'])
+                      f'<p class="grey">{_text(about)}</p></header>'])
 
 
 def assemble(found, courses, fields, fields_words):
     """The page as text. courses: pictures; fields: a picture, or None and why."""
     names = [side.name for side in found.sides]
     title = f"{found.sides[0].scene.get('name', '')}: {names[0]} and {names[1]}"
-    about = (f'<p class="grey">Values are those at {units.with_unit(found.span[1], "s", 4)}, of a place its change from '
-             f"the start. Shares are of {_text(names[0])}: of its largest value, in L2 of its root mean square.</p>")
-    parts = [_header(found, title), "<main>", _section("Probes", about, _probes(found), *_left_out(found)),
+    end = units.with_unit(found.span[1], "s", 4)
+    about = (f'<p class="grey">Values are those at {end}, of a place its change from the start. '
+             f"Shares are of {_text(names[0])}: of its largest value, in L2 of its root mean "
+             "square.</p>")
+    parts = [_header(found, title), "<main>",
+             _section("Probes", about, _probes(found), *_left_out(found)),
              _section("Curves", *(_picture(file, "every probe of both runs") for file in courses)),
              _section("Fields", f'<p class="grey">{_text(fields_words)}</p>',
                       _picture(fields, fields_words) if fields else ""),
              _section("Cost", f"<p>{_text(cost_sentence(found))}</p>", _costs(found)),
-             _section("Where the scenes differ", _scenes(found)), _section("Where it comes from", _origin(found)),
-             "</main>"]
+             _section("Where the scenes differ", _scenes(found)),
+             _section("Where it comes from", _origin(found)), "</main>"]
     style = of_a_run.style() + STYLE
     policy = f"default-src 'none'; img-src data:; style-src {of_a_run.hash_of(style)}"
     return ('<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
             '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-            f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n<title>{_text(title)}</title>\n'
-            f"<style>{style}</style>\n</head>\n<body>\n" + "\n".join(parts) + "\n</body>\n</html>\n")
+            f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
+            f"<title>{_text(title)}</title>\n<style>{style}</style>\n</head>\n<body>\n"
+            + "\n".join(parts) + "\n</body>\n</html>\n")

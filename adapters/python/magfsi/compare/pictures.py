@@ -37,7 +37,8 @@ def _draw_panel(axes, found, title, unit, some):
     rows = {row.column: row for row in found.rows}
     for r, i, label, column, values in drawn:
         side, row = found.sides[r], rows[column]
-        x = side.probes.x * found.sides[0].probes.per_x / side.probes.per_x  # milliseconds beside seconds
+        # Milliseconds beside seconds.
+        x = side.probes.x * found.sides[0].probes.per_x / side.probes.per_x
         colour = curves.COLOURS[i % len(curves.COLOURS)]
         axes.plot(x, factor * values, color=colour, ls=DASHES[r], lw=1.3 - 0.3 * r,
                   label=side.name if len(some) == 1 else f"{label}, {side.name}")
@@ -46,25 +47,26 @@ def _draw_panel(axes, found, title, unit, some):
                           [factor * row.sizes[r]], color=colour, lw=0.8, capsize=2.5 + 1.5 * r)
     if all(curves.is_place(column) for _, column in some):
         title = title.removesuffix(", displacement") + ", from the start"
-    axes.set(title=title, xlabel=found.sides[0].probes.axis_label(), ylabel=f"[{shown}]" if shown else "")
+    axes.set(title=title, xlabel=found.sides[0].probes.axis_label(),
+             ylabel=f"[{shown}]" if shown else "")
     axes.ticklabel_format(axis="y", useOffset=False)
-    axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.03), borderaxespad=0.2, handlelength=2.4,
-                labelspacing=0.3, handletextpad=0.5)
+    axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.03), borderaxespad=0.2,
+                handlelength=2.4, labelspacing=0.3, handletextpad=0.5)
     plotting.clean(axes)
 
 
 def draw_curves(found, out):
-    """The files: every probe that both have, but for those that are nothing in both, or one and the same
-    constant."""
+    """The files: every probe that both have, but for those that are nothing in both, or one and the
+    same constant."""
     compared = {row.column for row in found.rows if not found.is_constant(row.column)}
-    every = curves.panels([column for column in found.sides[0].probes.columns if column in compared])
+    every = curves.panels([c for c in found.sides[0].probes.columns if c in compared])
     plt.rcParams.update(LETTERS)
     files = []
     for begin in range(0, len(every), PANELS):
         part = every[begin:begin + PANELS]
         rows = -(-len(part) // plot.COLUMNS)
-        figure, grid = plt.subplots(rows, plot.COLUMNS, figsize=(11.5, 2.2 * rows + 0.3), squeeze=False,
-                                    constrained_layout=True)
+        figure, grid = plt.subplots(rows, plot.COLUMNS, figsize=(11.5, 2.2 * rows + 0.3),
+                                    squeeze=False, constrained_layout=True)
         for axes, panel in zip(grid.flat, part):
             _draw_panel(axes, found, *panel)
         for unused in list(grid.flat)[len(part):]:
@@ -85,20 +87,23 @@ def flows(side):
 
 
 def pairs(first, second, span, most=INSTANTS):
-    """[(time in the first, time in the second)] of stored instants within the time of both: the same time where
-    there are such, else near ones; evenly, without the start."""
-    first, second = (np.array([t for t in times if span[0] * (1 - SAME) <= t <= span[1] * (1 + SAME)])
-                     for times in (first, second))
+    """[(time in the first, time in the second)] of stored instants within the time of both: the
+    same time where there are such, else near ones; evenly, without the start."""
+    begin, end = span[0] * (1 - SAME), span[1] * (1 + SAME)
+    first, second = (np.array([t for t in times if begin <= t <= end]) for times in (first, second))
     if not len(first) or not len(second):
         return []
     near = [(float(t), float(second[np.abs(second - t).argmin()])) for t in first]
     later = [pair for pair in near if min(pair) > span[0] + SAME * span[1]]
     found = [pair for pair in later if abs(pair[0] - pair[1]) <= SAME * span[1]] or later
-    return [found[i] for i in (fields.spread(len(found), most + 1)[1:] if len(found) > most else range(len(found)))]
+    if len(found) > most:
+        found = [found[i] for i in fields.spread(len(found), most + 1)[1:]]
+    return found
 
 
 class View:
-    """Where the slices lie, and what of them is seen: around the bodies, without bodies the whole box."""
+    """Where the slices lie, and what of them is seen: around the bodies, without bodies the whole
+    box."""
 
     def __init__(self, sides, plane=None):
         scene = sides[0].scene
@@ -145,8 +150,8 @@ class Slice:
 
 
 def read_slices(sides, view, quantity, times):
-    """[(slice of the first, slice of the second, values of the second less the first)] at each pair of times;
-    empty where one of them has not that quantity."""
+    """[(slice of the first, slice of the second, values of the second less the first)] at each pair
+    of times; empty where one of them has not that quantity."""
     stored, found = [flows(side) for side in sides], []
     for pair in times:
         first, second = (Slice(files[time], view, quantity) for files, time in zip(stored, pair))
@@ -157,7 +162,8 @@ def read_slices(sides, view, quantity, times):
 
 
 def _ranges(slices, quantity):
-    """(map, low, high) of the quantity and of its difference; what is beyond has the colour of the end."""
+    """(map, low, high) of the quantity and of its difference; what is beyond has the colour of the
+    end."""
     def largest(arrays):
         every = np.abs(np.concatenate([values.ravel() for values in arrays]))
         return float(np.quantile(every, fields.SHARE_IN_COLOUR))
@@ -179,8 +185,15 @@ def _draw_bodies(axes, side, time, view, colour):
     plotting.draw_faces(axes, points[faces][:, :, view.across], shade=colour, alpha=0.7)
 
 
+def _draw_slice(axes, slice_, values, range_):
+    map_, low, high = range_
+    return axes.imshow(values, origin="lower", extent=slice_.extent_mm(), cmap=map_, vmin=low,
+                       vmax=high, interpolation="nearest")
+
+
 def _frame(axes, view, title):
-    axes.set(title=title, xlabel=f"{'xyz'[view.across[0]]} [mm]", ylabel=f"{'xyz'[view.across[1]]} [mm]")
+    axes.set(title=title, xlabel=f"{'xyz'[view.across[0]]} [mm]",
+             ylabel=f"{'xyz'[view.across[1]]} [mm]")
     axes.autoscale_view()
     if view.limits:
         axes.set(xlim=1e3 * np.array(view.limits[0]), ylim=1e3 * np.array(view.limits[1]))
@@ -188,20 +201,21 @@ def _frame(axes, view, title):
 
 
 def _draw_instant(row, sides, view, times, slices, ranges):
-    """The first, the second, and the second less the first with the bodies of both; without slices the bodies
-    alone. Returns the images."""
+    """The first, the second, and the second less the first with the bodies of both; without slices
+    the bodies alone. Returns the images."""
     images = []
-    last = len(row) - 1
-    for column, axes in enumerate(row):
-        if slices:
-            (map_, low, high), drawn = ranges[column == last], slices[0 if column == last else column]
-            images.append(axes.imshow(slices[2] if column == last else drawn.values, origin="lower", cmap=map_,
-                                      extent=drawn.extent_mm(), vmin=low, vmax=high, interpolation="nearest"))
-        for which in ((0, 1) if column == last else (column,)):
-            _draw_bodies(axes, sides[which], times[which], view, BODIES[which if column == last else 0])
-        names = [f"{side.name}, {units.with_unit(time, 's', 4)}" for side, time in zip(sides, times)]
-        together = f"{sides[1].name} less {sides[0].name}" if slices else f"{names[0]} (black); {names[1]} (orange)"
-        _frame(axes, view, together if column == last else names[column])
+    for column in range(2) if slices else ():
+        images.append(_draw_slice(row[column], slices[column], slices[column].values, ranges[0]))
+        _draw_bodies(row[column], sides[column], times[column], view, BODIES[0])
+    if slices:
+        images.append(_draw_slice(row[-1], slices[0], slices[2], ranges[1]))
+    for side, time, colour in zip(sides, times, BODIES):
+        _draw_bodies(row[-1], side, time, view, colour)
+    names = [f"{side.name}, {units.with_unit(time, 's', 4)}" for side, time in zip(sides, times)]
+    together = (f"{sides[1].name} less {sides[0].name}" if slices else
+                f"{names[0]} (black); {names[1]} (orange)")
+    for axes, title in zip(row, [*names, together] if slices else [together]):
+        _frame(axes, view, title)
     return images
 
 
@@ -211,22 +225,26 @@ def draw_fields(found, out, quantity="speed", plane=None):
     view, times = View(sides, plane), pairs(*(flows(side) for side in sides), found.span)
     slices = read_slices(sides, view, quantity, times)
     if not slices:  # the bodies alone
-        times = pairs(*([time for time, _ in fields.stored_frames(side.folder, "structure.pvd")] for side in sides),
-                      found.span)
+        stored = [fields.stored_frames(side.folder, "structure.pvd") for side in sides]
+        times = pairs(*([time for time, _ in frames] for frames in stored), found.span)
     if not times:
-        return None, "No fields in both runs after their start: output.fluid and output.structure of the scene write them."
+        return None, ("No fields in both runs after their start: output.fluid and output.structure "
+                      "of the scene write them.")
     plt.rcParams.update(LETTERS)
     columns = 3 if slices else 1
     ratio = np.ptp(view.limits[1]) / np.ptp(view.limits[0]) if view.limits else 1.0
+    height = (np.clip(3.6 * ratio, 1.2, 6) + 0.6) * len(times)
     figure, grid = plt.subplots(len(times), columns, squeeze=False, constrained_layout=True,
-                                figsize=(3.9 * columns, (np.clip(3.6 * ratio, 1.2, 6) + 0.6) * len(times)))
+                                figsize=(3.9 * columns, height))
     ranges = _ranges(slices, quantity) if slices else None
     for i, row in enumerate(grid):
         images = _draw_instant(row, sides, view, times[i], slices[i] if slices else None, ranges)
     if slices:
         unit = units.LETTERS.get(fields.UNITS[quantity], fields.UNITS[quantity])
-        for image, places, label in ((images[0], grid[:, :2], quantity), (images[2], grid[:, 2], "difference")):
-            figure.colorbar(image, ax=places, label=f"{label} [{unit}]", location="bottom", shrink=0.6, aspect=30)
+        for image, places, label in ((images[0], grid[:, :2], quantity),
+                                     (images[2], grid[:, 2], "difference")):
+            figure.colorbar(image, ax=places, label=f"{label} [{unit}]", location="bottom",
+                            shrink=0.6, aspect=30)
     file = Path(out) / "fields.png"
     figure.savefig(file, dpi=DOTS)
     plt.close(figure)
@@ -235,9 +253,11 @@ def draw_fields(found, out, quantity="speed", plane=None):
 
 def _caption(quantity, view, times):
     plane = "".join("xyz"[a] for a in view.across)
-    what = (f"The {quantity} in the plane {plane} at {'xyz'[view.axis]} = {units.with_unit(view.at, 'm')}, and the "
-            "bodies as seen across it" if quantity else f"The bodies of both, seen in {plane}")
+    at = f"{'xyz'[view.axis]} = {units.with_unit(view.at, 'm')}"
+    what = (f"The {quantity} in the plane {plane} at {at}, and the bodies as seen across it"
+            if quantity else f"The bodies of both, seen in {plane}")
     apart = max(abs(first - second) for first, second in times)
-    return what + (", at stored instants that both have." if apart <= SAME * max(times[-1]) else
-                   f", at the stored instants nearest to each other: up to {units.with_unit(apart, 's')} apart, which "
-                   "is part of the difference.")
+    if apart <= SAME * max(times[-1]):
+        return f"{what}, at stored instants that both have."
+    return (f"{what}, at the stored instants nearest to each other: up to "
+            f"{units.with_unit(apart, 's')} apart, which is part of the difference.")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The two runs of a comparison: what each has left, how it is called, and the error bars that it has."""
+"""The two runs of a comparison: what each has left, how it is called, and its error bars."""
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import SimpleNamespace
@@ -68,13 +68,14 @@ def read(folder):
     """Raises NotARun where there is no run folder, or one without probes."""
     probes = curves.Probes(folder)
     if len(probes.x) < 2:
-        raise data.NotARun(f"{folder}/probes.csv: found {len(probes.x)} rows; allowed are two and more, which the key "
-                           "probes of the scene writes")
+        raise data.NotARun(f"{folder}/probes.csv: found {len(probes.x)} rows; allowed are two and "
+                           "more, which the key probes of the scene writes")
     summary = data.read_json(folder / "summary.json", {})
     side = Side(folder, probes, summary, data.read_json(folder / "run.json", []))
     accuracy = summary.get("accuracy", {})
     found = {column: Bar(entry.get("bar"), entry.get("doubt", ""))
-             for column, entry in accuracy.get("probes", {}).items() if entry.get("norm") == AT_THE_END}
+             for column, entry in accuracy.get("probes", {}).items()
+             if entry.get("norm") == AT_THE_END}
     if found:
         side.bars, side.bars_from = found, "its summary.json (run --error)"
     return side
@@ -86,29 +87,30 @@ def largest(side, column):
 
 
 def _bar_of_cost(side, row):
-    """A cost result is often of a leading part of the scene: what holds of this run is the share."""
+    """A cost result is often of a leading part of the scene: its share is what holds here."""
     if row["doubt"]:
         return Bar(None, row["doubt"])
     last, scale = choosing.value(side, choosing.norm_of(row["probe"], AT_THE_END))
     share = abs(float(row["error[1]"])) + float(row["error_bar[1]"])
     off = abs(float(row["value"]) - last)
-    return Bar(share * scale, f"the cost result has {float(row['value']):.4g} in place of {last:.4g}"
-               if off > KNOWN * scale else "")
+    return Bar(share * scale, "" if off <= KNOWN * scale else
+               f"the cost result has {float(row['value']):.4g} in place of {last:.4g}")
 
 
 def take_bars(side, folder):
-    """Those of a folder that magfsi cost has written, for the same setting of the scene. Raises NotARun."""
+    """Those of a folder that magfsi cost has written, for the same setting of the scene. Raises
+    NotARun."""
     path = Path(folder) / "cost.csv"
     try:
         rows = runs.read_rows(path)
         found = {row["probe"]: _bar_of_cost(side, row) for row in rows
                  if row["norm"] == AT_THE_END and row["probe"] in side.probes.columns}
     except (OSError, KeyError, ValueError, norms.NoError) as error:
-        raise data.NotARun(f"{path}: found no result of magfsi cost ({error}); allowed are folders that it "
-                           "has written") from error
+        raise data.NotARun(f"{path}: found no result of magfsi cost ({error}); allowed are folders "
+                           "that it has written") from error
     if not found:
-        raise data.NotARun(f"{path}: found no bar of a last value (--norm {AT_THE_END}) of a probe that {side.folder} "
-                           "has; allowed is a cost result of the same scene")
+        raise data.NotARun(f"{path}: found no bar of a last value (--norm {AT_THE_END}) of a probe "
+                           f"that {side.folder} has; allowed is a cost result of the same scene")
     side.bars, side.bars_from = found, str(path)
 
 
@@ -131,12 +133,14 @@ def common_span(sides):
     """The time that both have [s]. Raises NotARun."""
     begin = max(side.times[0] for side in sides)
     end = min(side.times[-1] for side in sides)
-    rows = [np.count_nonzero((side.times >= begin * (1 - 1e-9)) & (side.times <= end * (1 + 1e-9))) for side in sides]
+    rows = [np.count_nonzero((side.times >= begin * (1 - 1e-9)) & (side.times <= end * (1 + 1e-9)))
+            for side in sides]
     if begin > end or min(rows) < 2:
-        raise data.NotARun(" and ".join(f"{side.folder} (from {side.times[0]:.6g} s to {side.times[-1]:.6g} s)"
-                                        for side in sides)
-                           + ": found fewer than two rows of probes in the time that both have; allowed are runs of "
-                           "the same time, and a smaller probes.every")
+        each = [f"{side.folder} (from {side.times[0]:.6g} s to {side.times[-1]:.6g} s)"
+                for side in sides]
+        raise data.NotARun(f"{each[0]} and {each[1]}: found fewer than two rows of probes in the "
+                           "time that both have; allowed are runs of the same time, and a smaller "
+                           "probes.every")
     return begin, end
 
 
