@@ -171,8 +171,9 @@ def _period(scene):
         return 1 / abs(field_["rotation"]["frequency"] or math.inf) or None
     for body in scene.get("bodies", {}).values():
         for motion in body.get("prescribed_motion", []):
-            if "oscillation" in motion:
-                return 1 / motion["oscillation"]["frequency"]
+            course = motion.get("turning", motion)
+            if "oscillation" in course:
+                return 1 / course["oscillation"]["frequency"]
     return None
 
 
