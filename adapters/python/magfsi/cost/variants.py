@@ -148,7 +148,7 @@ class Scene:
         if "equilibrium" in scene["time"]:
             return out
         every = scene["probes"]["every"] if "probes" in scene else end
-        period = _period(scene)
+        period = period_of(scene)
         wanted = [(end * f, f"1/{round(1 / f)} of the run") for f in FRACTIONS[1:]]
         if period and period < end:  # parts of whole periods, or of less than one
             whole = [int(end / period * (1 - 1e-9) * f) for f in FRACTIONS]
@@ -162,7 +162,7 @@ class Scene:
         return out
 
 
-def _period(scene):
+def period_of(scene):
     """Of the field or of a motion; None without."""
     field_ = scene.get("magnetic_field", {})
     if field_.get("table", {}).get("repeat"):
