@@ -257,12 +257,13 @@ PIMPLE
         start = places(times[0])
         folder = self.folder / "constant/boundaryData/body"
         shutil.rmtree(folder, ignore_errors=True)
-        flat = np.column_stack([start, self.on_strip[:, 2]])
-        self.write("constant/boundaryData/body/points", "vectorField", _vectors(flat))
+        # These tables have no header.
+        folder.mkdir(parents=True)
+        (folder / "points").write_text(_vectors(np.column_stack([start, self.on_strip[:, 2]])))
         for time in times:
+            (folder / f"{time:.12g}").mkdir()
             moved = np.column_stack([places(time) - start, np.zeros(len(start))])
-            self.write(f"constant/boundaryData/body/{time:.12g}/pointDisplacement", "vectorAverageField",
-                       "(0 0 0)\n" + _vectors(moved))
+            (folder / f"{time:.12g}/pointDisplacement").write_text(_vectors(moved))
 
     def off_shape(self):
         """Largest distance of the straight strip from the shape at the start, in thicknesses."""

@@ -25,7 +25,8 @@ def run(program, case):
     environment = {"WM_PROJECT_DIR": PROJECT, **os.environ}
     log = case / f"log.{program}"
     with open(log, "w") as file:
-        done = subprocess.run([program, "-case", str(case)], env=environment, stdout=file, stderr=subprocess.STDOUT)
+        # In the case's folder: 1912 looks for the tables of moving points from where it is called.
+        done = subprocess.run([program], cwd=case, env=environment, stdout=file, stderr=subprocess.STDOUT)
     text = log.read_text(errors="replace")
     if done.returncode != 0:
         raise Failed(f"{program} ended with {done.returncode}: {' '.join(text.split()[-40:])} ({log})")

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run beside its witness: forces, moment, power and work of a metre of strip, with bars."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from magfsi import runs
+from magfsi.witness.recorded import AXES, area
+
+MEAN_SHARE = 80  # parts of a period over which series are smoothed before they are laid over each other
+
+
+@dataclass
+class Row:
+    """A quantity: both values, their bars (None: not known), and whether they agree within them."""
+
+    name: str
+    unit: str
+    witness: float
+    witness_bar: float
+    run: float
+    run_bar: float
+
+    def agrees(self):
+        """None where neither has a bar."""
+        bars = [b for b in (self.witness_bar, self.run_bar) if b is not None]
+        return abs(self.run - self.witness) <= sum(bars) if bars else None
+
+
+class OfRun:
+    """The run's own series, as those of a Solution: time, force, moment (None), power (None), all a
+    metre deep; `missing`: [what its probes lack]."""
+
+    def __init__(self, recorded):
+        columns = {name: np.array(values) for name, values in
+                   runs.read_table(recorded.folder / "probes.csv", float).items()}
+        box, body = recorded.box, recorded.body
+        names = [f"{body}.fluid_force_{AXES[i]}[N]" for i in box.plane]
+        self.missing = []
+        self.time, self.force, self.moment, self.power, self.work = columns.get("t[s]"), None, None, None, None
+        if names[0] not in columns:
+            self.missing.append("probes.bodies: fluid_force")
+            return
+        self.force = np.stack([columns[n] for n in names], axis=1) / box.depth - buoyancy(recorded)
+        torque = f"{body}.fluid_torque_{AXES[box.normal]}[N m]"
+        if torque in columns:
+            self.moment = box.right_handed * columns[torque] / box.depth
+        else:
+            self.missing.append("probes.bodies: fluid_torque")
+        self._work(recorded, columns)
+
+    def _work(self, recorded, columns):
+        """On the fluid: the energy audit's where it is; else of a body that moves as a rigid one, minus
+        force times velocity of its centre and moment times its rate. Rows hold means over the step
+        that ended there, whose work is that on the way from row to row."""
+        if "audit.given_to_fluid[J]" in columns:
+            self.work = columns["audit.given_to_fluid[J]"] / recorded.box.depth
+            return
+        middle, angle, off = recorded.rigid()
+        if off > 0.01:
+            self.missing.append("probes: energy_audit (of a body that bends)")
+            return
+        turns = np.ptp(angle) > 1e-6
+        if turns and self.moment is None:
+            return
+        from scipy.interpolate import CubicSpline
+        time = np.clip(self.time, recorded.time[0], recorded.time[-1])
+        velocity = CubicSpline(recorded.time, middle, axis=0)(time, 1)
+        self.power = -(self.force * velocity).sum(axis=1)
+        if turns:
+            self.power -= self.moment * CubicSpline(recorded.time, angle)(time, 1)
+        self.work = cumulative(self.time, self.power)
+
+
+def buoyancy(recorded):
+    """Of a metre of strip [N/m]: it is in a run's force on the body, and not in the witness, whose
+    pressure is without weight."""
+    gravity = recorded.scene.get("gravity")
+    if not gravity:
+        return np.zeros(2)
+    direction = np.array(gravity["direction"], float)
+    down = gravity["acceleration"] * direction / np.linalg.norm(direction)
+    return -recorded.box.density * area(recorded.outline[0]) * down[recorded.box.plane]
+
+
+def cumulative(time, values):
+    """Integral from the first row on, by the trapezoidal rule."""
+    return np.concatenate([[0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(time))])
+
+
+def smooth(time, values, width, at):
+    """Gaussian means of this width (standard deviation [s]) at other times."""
+    even = np.linspace(time[0], time[-1], 8 * int((time[-1] - time[0]) / width) + 9)
+    even_values = np.stack([np.interp(even, time, column) for column in np.atleast_2d(values.T)])
+    reach = max(1, int(4 * width / (even[1] - even[0])))
+    kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) * (even[1] - even[0]) / width)**2)
+    weight = np.convolve(np.ones(len(even)), kernel, "same")
+    means = [np.convolve(column, kernel, "same") / weight for column in even_values]
+    out = np.stack([np.interp(at, even, column) for column in means], axis=-1)
+    return out[:, 0] if values.ndim == 1 else out
+
+
+def window(recorded, end):
+    """(begin, end): the last whole period, or from the start without one."""
+    period = recorded.period()
+    if not period or period > end * (1 + 1e-6):
+        return 0.0, end
+    return end - period, end
+
+
+class Series:
+    """force, moment, power, work over common times in the window, smoothed but for the work."""
+
+    def __init__(self, source, at, width):
+        def of(values, time=source.time):
+            return None if values is None else smooth(time, values, width, at)
+        self.force, self.moment = of(source.force), of(source.moment)
+        power_time = getattr(source, "power_time", source.time)
+        self.power = of(source.power, power_time)
+        work = getattr(source, "work", None)
+        if work is None and source.power is not None:
+            work = cumulative(power_time, source.power)
+        self.work = None
+        if work is not None:
+            # The fluid is at rest at the start: OpenFOAM's first row is that of the first step.
+            self.work = np.interp(at, power_time, work)
+            self.work = self.work - self.work[0]
+
+
+def bar_of(fine, coarse, ratio):
+    """Of a value on the finer of two meshes. At the edges of a strip the stress is singular and the
+    order below that of the schemes: first order is taken, so that the error is the difference over ratio - 1."""
+    return None if coarse is None else abs(fine - coarse) / (ratio - 1)
+
+
+def rms(values):
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def table(at, run, solutions, words, run_bar):
+    """[Row]: run: Series of the run; solutions: Series of the meshes, the finest last, and the ratio
+    of the last two; run_bar: share of each value, or None."""
+    (meshes, ratio), fine = solutions, solutions[0][-1]
+    coarse = meshes[-2] if len(meshes) > 1 else None
+    rows = []
+
+    def add(name, unit, value):
+        """value(series): a number, or None of what it lacks."""
+        mine, its = value(fine), value(run)
+        if its is None:
+            return
+        bar = bar_of(mine, value(coarse) if coarse else None, ratio)
+        rows.append(Row(name, unit, mine, bar, its, None if run_bar is None else run_bar * abs(its)))
+    span = at[-1] - at[0]
+    add("work on the fluid", "J/m", lambda s: None if s.work is None else float(s.work[-1]))
+    for k, word in enumerate(words):
+        add(f"mean force along {word}", "N/m", lambda s: None if s.force is None else
+            float(np.trapezoid(s.force[:, k], at) / span if hasattr(np, "trapezoid")
+                  else np.trapz(s.force[:, k], at) / span))
+        add(f"rms force along {word}", "N/m", lambda s: None if s.force is None else rms(s.force[:, k]))
+    add("rms moment", "N m/m", lambda s: None if s.moment is None else rms(s.moment))
+    rows += _differences(run, fine, coarse, ratio, words, run_bar)
+    return rows
+
+
+def _differences(run, fine, coarse, ratio, words, run_bar):
+    """Of whole series: the rms of the difference, which is none on the witness's own side."""
+    rows = []
+    kinds = [(f"difference of the force along {word}, rms", "N/m", lambda s, k=k: None if s.force is None else s.force[:, k])
+             for k, word in enumerate(words)]
+    kinds += [("difference of the moment, rms", "N m/m", lambda s: s.moment)]
+    for name, unit, of in kinds:
+        if of(run) is None:
+            continue
+        bar = None if coarse is None else rms(of(fine) - of(coarse)) / (ratio - 1)
+        rows.append(Row(name, unit, 0.0, bar, rms(of(run) - of(fine)),
+                        None if run_bar is None else run_bar * rms(of(run))))
+    return rows

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What `magfsi witness` leaves: a table, the series, a figure, and in words whether run and witness agree."""
+import csv
+
+import numpy as np
+
+from magfsi import units
+from magfsi.witness import compare
+
+ROWS = 1200  # of series.csv and the figure
+
+
+def write(recorded, solutions, chosen):
+    """Writes the files into chosen.out; lines for the terminal."""
+    fine = solutions[-1]
+    end = fine.time[-1]
+    begin, end = compare.window(recorded, end)
+    run = compare.OfRun(recorded)
+    period = recorded.period()
+    width = min(period or end, end) / compare.MEAN_SHARE
+    series = {"at": np.linspace(0, end, ROWS)}
+    at = np.linspace(begin, end, ROWS)
+    meshes = [compare.Series(s, at, width) for s in solutions]
+    ratio = solutions[-1].cells / solutions[-2].cells if len(solutions) > 1 else None
+    words = recorded.box.words()
+    rows, mine = [], None
+    if run.force is not None:
+        mine = compare.Series(run, at, width)
+        rows = compare.table(at, mine, (meshes, ratio), words, chosen.run_bar)
+    whole = [compare.Series(s, series["at"], width) for s in solutions]
+    series["witness"] = whole
+    series["run"] = compare.Series(run, series["at"], width) if run.force is not None else None
+    write_table(chosen.out / "witness.csv", rows, at, meshes[-1], solutions, words, width)
+    write_series(chosen.out / "series.csv", series, words, width)
+    draw(chosen.out / "witness.png", recorded, series, solutions, begin)
+    return [*lines(rows), *sentence(rows, run, (begin, end), recorded, solutions),
+            f"{chosen.out / 'witness.csv'}, series.csv, witness.png"]
+
+
+def shown(value, unit, digits=4):
+    base = unit.removesuffix("/m")
+    factor, prefix = units.scaled(abs(value), base)
+    per_metre = "/m" if base != unit else ""
+    return f"{factor * value:.{digits}g} {prefix}{per_metre}"
+
+
+def lines(rows):
+    for row in rows:
+        bar = f" ± {shown(row.witness_bar, row.unit, 2)}" if row.witness_bar is not None else ""
+        relative = f", {row.run / row.witness - 1:+.1%}" if abs(row.witness) > 0 else ""
+        verdict = {True: ": within the bars", False: ": beyond the bars", None: ""}[row.agrees()]
+        yield (f"  {row.name}: run {shown(row.run, row.unit)}, witness {shown(row.witness, row.unit)}{bar}{relative}"
+               f"{verdict}")
+
+
+def sentence(rows, run, between, recorded, solutions):
+    """What was compared, how far apart, and whether that is within the bars."""
+    if run.missing:
+        yield f"not compared, since the run lacks {' and '.join(run.missing)}"
+    fault, end = solutions[-1].fault, recorded.time[-1]
+    if fault:
+        yield (f"the mesh could follow to {1e3 * between[1]:.4g} ms, {between[1] / end:.0%} of the motion, and no "
+               f"further: {fault}")
+    judged = [row for row in rows if row.agrees() is not None]
+    first = next((row for row in rows if row.name.startswith("work")), rows[0] if rows else None)
+    if first is None:
+        yield "the witness stands alone: there is nothing of the run to compare"
+        return
+    begin, end = (f"{1e3 * t:.4g}" for t in between)
+    bar = f" ± {shown(first.witness_bar, first.unit, 2)}" if first.witness_bar is not None else ""
+    text = (f"from {begin} to {end} ms the {first.name} is {shown(first.run, first.unit)} of the run and "
+            f"{shown(first.witness, first.unit)}{bar} of the witness ({first.run / first.witness - 1:+.1%})")
+    if not judged:
+        yield f"{text}; there are no bars to judge by: take --meshes 2"
+        return
+    beyond = [row.name for row in judged if not row.agrees()]
+    if not beyond:
+        yield f"{text}: they agree within the bars in all {len(judged)} quantities"
+    else:
+        yield (f"{text}: they do not agree within the bars in {len(beyond)} of {len(judged)} quantities ("
+               + "; ".join(beyond) + ")")
+
+
+def write_table(file, rows, at, fine, solutions, words, width):
+    """Lines of comment say what was compared; without a run's forces the witness's values stand alone."""
+    number = "{:.6g}".format
+    with open(file, "w", newline="") as out:
+        out.write(f"# A metre of strip, from {at[0]:.6g} to {at[-1]:.6g} s; series are Gaussian means of {width:.3g} s. "
+                  f"Meshes: {', '.join(str(s.cells) for s in solutions)} cells in the thickness. The difference of the last "
+                  "two over their ratio less 1 is witness_bar.\n")
+        table = csv.writer(out)
+        table.writerow(["quantity", "unit", "witness", "witness_bar", "run", "run_bar", "difference", "within_bars"])
+        for row in rows:
+            table.writerow([row.name, row.unit, number(row.witness), *("" if b is None else number(b) for b in
+                            (row.witness_bar,)), number(row.run), "" if row.run_bar is None else number(row.run_bar),
+                            number(row.run - row.witness), {True: "yes", False: "no", None: ""}[row.agrees()]])
+        if not rows:
+            table.writerow(["work on the fluid", "J/m", number(fine.work[-1]), "", "", "", "", ""])
+            for k, word in enumerate(words):
+                table.writerow([f"rms force along {word}", "N/m", number(compare.rms(fine.force[:, k])), *5 * [""]])
+
+
+def write_series(file, series, words, width):
+    columns = {"t[s]": series["at"]}
+    sources = {"witness": series["witness"][-1]}
+    if len(series["witness"]) > 1:
+        sources["coarser"] = series["witness"][-2]
+    if series["run"] is not None:
+        sources["run"] = series["run"]
+    for name, source in sources.items():
+        for k, word in enumerate(words):
+            columns[f"{name}.force_{word}[N/m]"] = source.force[:, k]
+        for what, unit in (("moment", "N m/m"), ("power", "W/m"), ("work", "J/m")):
+            if getattr(source, what) is not None:
+                columns[f"{name}.{what}[{unit}]"] = getattr(source, what)
+    with open(file, "w", newline="") as out:
+        out.write(f"# A metre of strip. Forces, moments about the centre of the cross-section and power are Gaussian means "
+                  f"of {width:.3g} s.\n")
+        csv.writer(out).writerow(columns)
+        for row in zip(*columns.values()):
+            out.write(",".join(f"{x:.7g}" for x in row) + "\n")
+
+
+def draw(file, recorded, series, solutions, begin):
+    """The strip at some instants; forces, moment and work over time, the witness's spread of meshes as a band."""
+    from magfsi import plotting  # sets a backend without a screen
+    import matplotlib.pyplot as plt
+    time, fine = 1e3 * series["at"], series["witness"][-1]
+    coarse = series["witness"][-2] if len(series["witness"]) > 1 else None
+    run = series["run"]
+    words = recorded.box.words()
+    panels = [(f"force along {w} [mN/m]", lambda s, k=k: 1e3 * s.force[:, k]) for k, w in enumerate(words)]
+    if run is None or run.moment is not None:
+        panels.append(("moment [mN m/m]", lambda s: 1e3 * s.moment))
+    if run is None or run.work is not None:
+        panels.append(("work on the fluid [mJ/m]", lambda s: 1e3 * s.work))
+    figure, axes = plt.subplots(len(panels) + 1, 1, figsize=(6, 1.7 * len(panels) + 2.6), layout="constrained",
+                                gridspec_kw={"height_ratios": [1.5, *len(panels) * [1]]})
+    for shade, t in zip(np.linspace(0.75, 0.1, 5), np.linspace(begin, series["at"][-1], 5)):
+        outline = 1e3 * recorded.at(t)
+        axes[0].fill(*outline.T, facecolor=str(shade), label=f"{1e3 * t:.3g} ms")
+    axes[0].set_aspect("equal")
+    axes[0].set_xlabel(f"{words[0]} [mm]")
+    axes[0].set_ylabel(f"{words[1]} [mm]")
+    axes[0].legend(frameon=False, fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
+    for panel, (label, of) in zip(axes[1:], panels):
+        if coarse is not None:
+            ratio = solutions[-1].cells / solutions[-2].cells
+            bar = np.abs(of(fine) - of(coarse)) / (ratio - 1)
+            panel.fill_between(time, of(fine) - bar, of(fine) + bar, color="0.8", label="its bar")
+        panel.plot(time, of(fine), color="0.1", lw=1.2, label="witness")
+        if run is not None:
+            panel.plot(time, of(run), color="#d55e00", lw=1.0, label="run")
+        panel.axvline(1e3 * begin, color="0.6", lw=0.6, ls=":")
+        panel.set_ylabel(label, fontsize=8)
+        panel.tick_params(labelsize=8)
+        plotting.clean(panel)
+    axes[1].legend(frameon=False, fontsize=8, ncols=3, loc="upper right")
+    axes[-1].set_xlabel("time [ms]")
+    figure.savefig(file, dpi=150)
+    plt.close(figure)
