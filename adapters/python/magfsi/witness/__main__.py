@@ -50,6 +50,8 @@ def arguments(words=None):
     parser.add_argument("--cells", type=cells, metavar="N,...",
                         help=f"cells in the strip's thickness, a mesh each (default: {CELLS[0]},{CELLS[1]})")
     parser.add_argument("--end", type=seconds, metavar="TIME", help="of the comparison, as '40 ms' (default: the run's)")
+    parser.add_argument("--period", type=seconds, metavar="TIME",
+                        help="of the motion (default: that of the field or of the oscillation)")
     parser.add_argument("--run-bar", type=share, metavar="SHARE",
                         help="the run's own error, as 5%% (magfsi cost says it); none without")
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="default: RUN/witness")
@@ -66,7 +68,7 @@ def say(text):
 
 def solve(recorded, chosen, end):
     """[Solution], a mesh each; all to the time that all meshes can follow."""
-    from magfsi.witness import flow
+    from magfsi.witness import flow, foam
     cases = []
     for count in chosen.cells:
         case, reached, fault = flow.prepare(chosen.out / f"mesh_{count}", recorded, count, end, say)
@@ -78,14 +80,18 @@ def solve(recorded, chosen, end):
         from magfsi.witness.recorded import Refused
         raise Refused(f"no mesh: {fault}")
     with ThreadPoolExecutor() as pool:
-        return list(pool.map(lambda case: flow.solve(case[0], reached, fault), cases))
+        try:
+            return list(pool.map(lambda case: flow.solve(case[0], reached, fault), cases))
+        except BaseException:
+            foam.stop()
+            raise
 
 
 def work(chosen):
     # matplotlib and VTK are slow to start, and mistakes are to be reported at once.
     from magfsi.witness import report
     from magfsi.witness.recorded import Recorded
-    recorded = Recorded(chosen.run, chosen.end)
+    recorded = Recorded(chosen.run, chosen.end, chosen.period)
     end = recorded.time[-1]
     say(f"{recorded.body}: {1e3 * recorded.thickness:.4g} mm thick, moves by up to {1e3 * recorded.stroke:.4g} mm to "
         f"{1e3 * end:.4g} ms; known between {len(recorded.time)} recorded shapes to {100 * recorded.between:.2g} %, its "

@@ -86,6 +86,7 @@ class Case:
         self.steps = math.ceil(end / step)
         self.step = end / self.steps
         self.every = max(1, self.steps // SAMPLES)
+        self.count = 0  # of cells, once the blocks are laid
 
     def write(self, name, kind, text):
         path = self.folder / name

@@ -8,6 +8,7 @@ from magfsi import runs
 from magfsi.witness.recorded import AXES, area
 
 MEAN_SHARE = 80  # parts of a period over which series are smoothed before they are laid over each other
+NOTHING = 1e-3  # of the force, and of it times the strip's length: less is none by symmetry
 
 
 @dataclass
@@ -20,6 +21,7 @@ class Row:
     witness_bar: float
     run: float
     run_bar: float
+    size: float = 0.0  # of the quantity: what a difference is a share of
 
     def agrees(self):
         """None where neither has a bar."""
@@ -137,42 +139,39 @@ def rms(values):
     return float(np.sqrt(np.mean(np.square(values))))
 
 
-def table(at, run, solutions, words, run_bar):
-    """[Row]: run: Series of the run; solutions: Series of the meshes, the finest last, and the ratio
-    of the last two; run_bar: share of each value, or None."""
-    (meshes, ratio), fine = solutions, solutions[0][-1]
-    coarse = meshes[-2] if len(meshes) > 1 else None
+def table(at, run, meshes, ratio, recorded, run_bar):
+    """[Row]: run: Series of the run; meshes: Series of the meshes, the finest last; ratio: of the cells of
+    the last two; run_bar: share of each value, or None. What is none by symmetry has no row."""
+    fine, coarse = meshes[-1], meshes[-2] if len(meshes) > 1 else None
+    words, length = recorded.box.words(), np.linalg.norm(recorded.outline[0, recorded.corners[1]]
+                                                         - recorded.outline[0, 0])
+    scale = rms(np.linalg.norm(fine.force, axis=1))
     rows = []
 
-    def add(name, unit, value):
+    def add(name, unit, value, size):
         """value(series): a number, or None of what it lacks."""
         mine, its = value(fine), value(run)
-        if its is None:
+        if its is None or max(abs(mine), abs(its)) < NOTHING * size:
             return
         bar = bar_of(mine, value(coarse) if coarse else None, ratio)
-        rows.append(Row(name, unit, mine, bar, its, None if run_bar is None else run_bar * abs(its)))
-    span = at[-1] - at[0]
-    add("work on the fluid", "J/m", lambda s: None if s.work is None else float(s.work[-1]))
-    for k, word in enumerate(words):
-        add(f"mean force along {word}", "N/m", lambda s: None if s.force is None else
-            float(np.trapezoid(s.force[:, k], at) / span if hasattr(np, "trapezoid")
-                  else np.trapz(s.force[:, k], at) / span))
-        add(f"rms force along {word}", "N/m", lambda s: None if s.force is None else rms(s.force[:, k]))
-    add("rms moment", "N m/m", lambda s: None if s.moment is None else rms(s.moment))
-    rows += _differences(run, fine, coarse, ratio, words, run_bar)
-    return rows
+        # A mean may be small beside what it is the mean of, whose error it has.
+        rows.append(Row(name, unit, mine, bar, its,
+                        None if run_bar is None else run_bar * max(abs(its), size), size))
 
-
-def _differences(run, fine, coarse, ratio, words, run_bar):
-    """Of whole series: the rms of the difference, which is none on the witness's own side."""
-    rows = []
-    kinds = [(f"difference of the force along {word}, rms", "N/m", lambda s, k=k: None if s.force is None else s.force[:, k])
-             for k, word in enumerate(words)]
-    kinds += [("difference of the moment, rms", "N m/m", lambda s: s.moment)]
-    for name, unit, of in kinds:
-        if of(run) is None:
-            continue
+    def of_series(name, unit, of, size):
+        """The rms, and that of the difference, which the witness has of itself by its meshes."""
+        if of(run) is None or max(rms(of(fine)), rms(of(run))) < NOTHING * size:
+            return
+        add(f"rms {name}", unit, lambda s: rms(of(s)), rms(of(fine)))
         bar = None if coarse is None else rms(of(fine) - of(coarse)) / (ratio - 1)
-        rows.append(Row(name, unit, 0.0, bar, rms(of(run) - of(fine)),
-                        None if run_bar is None else run_bar * rms(of(run))))
+        rows.append(Row(f"rms difference of the {name}", unit, 0.0, bar, rms(of(run) - of(fine)),
+                        None if run_bar is None else run_bar * rms(of(run)), rms(of(fine))))
+    if run.work is not None:
+        add("work on the fluid", "J/m", lambda s: float(s.work[-1]), abs(fine.work[-1]))
+    span = at[-1] - at[0]
+    for k, word in enumerate(words):
+        add(f"mean force along {word}", "N/m",
+            lambda s, k=k: None if s.force is None else float(cumulative(at, s.force[:, k])[-1] / span), scale)
+        of_series(f"force along {word}", "N/m", lambda s, k=k: None if s.force is None else s.force[:, k], scale)
+    of_series("moment", "N m/m", lambda s: s.moment, scale * length)
     return rows

@@ -18,6 +18,15 @@ class Failed(Exception):
     """A program of OpenFOAM: its name, and the end of what it said."""
 
 
+_under_way = set()
+
+
+def stop():
+    """Ends the programs under way."""
+    for process in list(_under_way):
+        process.terminate()
+
+
 def run(program, case):
     """What it says, which is in log.PROGRAM as well."""
     if not shutil.which(program):
@@ -26,10 +35,19 @@ def run(program, case):
     log = case / f"log.{program}"
     with open(log, "w") as file:
         # In the case's folder: 1912 looks for the tables of moving points from where it is called.
-        done = subprocess.run([program], cwd=case, env=environment, stdout=file, stderr=subprocess.STDOUT)
+        process = subprocess.Popen([program], cwd=case, env=environment, stdout=file,
+                                   stderr=subprocess.STDOUT)
+        _under_way.add(process)
+        try:
+            code = process.wait()
+        except BaseException:
+            process.terminate()
+            raise
+        finally:
+            _under_way.discard(process)
     text = log.read_text(errors="replace")
-    if done.returncode != 0:
-        raise Failed(f"{program} ended with {done.returncode}: {' '.join(text.split()[-40:])} ({log})")
+    if code != 0:
+        raise Failed(f"{program} ended with {code}: {' '.join(text.split()[-40:])} ({log})")
     return text
 
 

@@ -126,8 +126,8 @@ class Recorded:
     """time [s] and outline (times, points, 2) in the plane of the box, counter-clockwise from a
     corner; corners: their indices; the sides between them are long, short, long, short."""
 
-    def __init__(self, folder, end=None):
-        self.folder = Path(folder)
+    def __init__(self, folder, end=None, period=None):
+        self.folder, self._period = Path(folder), period
         self.scene = data.read_json(self.folder / "scene.json", None)
         if self.scene is None:
             raise Refused(f"{folder}: found no scene.json; allowed are folders that ./magfsi run has written")
@@ -240,6 +240,6 @@ class Recorded:
         return middle, angle, np.linalg.norm(rigid - arm, axis=2).max() / self.stroke
 
     def period(self):
-        """Of the field or of the body's motion [s]; None without."""
+        """Given, of the field or of the body's motion [s]; None without."""
         from magfsi.cost.variants import period_of
-        return period_of(self.scene)
+        return self._period or period_of(self.scene)

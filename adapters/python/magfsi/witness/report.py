@@ -26,7 +26,7 @@ def write(recorded, solutions, chosen):
     rows, mine = [], None
     if run.force is not None:
         mine = compare.Series(run, at, width)
-        rows = compare.table(at, mine, (meshes, ratio), words, chosen.run_bar)
+        rows = compare.table(at, mine, meshes, ratio, recorded, chosen.run_bar)
     whole = [compare.Series(s, series["at"], width) for s in solutions]
     series["witness"] = whole
     series["run"] = compare.Series(run, series["at"], width) if run.force is not None else None
@@ -37,20 +37,29 @@ def write(recorded, solutions, chosen):
             f"{chosen.out / 'witness.csv'}, series.csv, witness.png"]
 
 
-def shown(value, unit, digits=4):
+def shown(values, unit):
+    """Numbers in the prefix of the largest: "156.3 \u00b1 0.7 uJ/m" of a value and its bar."""
     base = unit.removesuffix("/m")
-    factor, prefix = units.scaled(abs(value), base)
-    per_metre = "/m" if base != unit else ""
-    return f"{factor * value:.{digits}g} {prefix}{per_metre}"
+    factor, prefix = units.scaled(max(map(abs, values)), base)
+    numbers = [f"{factor * values[0]:.4g}", *(f"{factor * bar:.2g}" for bar in values[1:])]
+    return " \u00b1 ".join(numbers) + f" {prefix}{'/m' if base != unit else ''}"
+
+
+def with_bar(value, bar, unit):
+    return shown([value] if bar is None else [value, bar], unit)
 
 
 def lines(rows):
     for row in rows:
-        bar = f" ± {shown(row.witness_bar, row.unit, 2)}" if row.witness_bar is not None else ""
-        relative = f", {row.run / row.witness - 1:+.1%}" if abs(row.witness) > 0 else ""
         verdict = {True: ": within the bars", False: ": beyond the bars", None: ""}[row.agrees()]
-        yield (f"  {row.name}: run {shown(row.run, row.unit)}, witness {shown(row.witness, row.unit)}{bar}{relative}"
-               f"{verdict}")
+        share = f", {(row.run - row.witness) / row.size:+.1%}" + (
+            " of its rms" if row.name.startswith("mean") else "") if row.size > 0 else ""
+        if row.name.startswith("rms difference"):
+            own = f", between the meshes {shown([row.witness_bar], row.unit)}" if row.witness_bar is not None else ""
+            yield f"  {row.name}: {with_bar(row.run, row.run_bar, row.unit)}{own}{share}{verdict}"
+        else:
+            yield (f"  {row.name}: run {with_bar(row.run, row.run_bar, row.unit)}, witness "
+                   f"{with_bar(row.witness, row.witness_bar, row.unit)}{share}{verdict}")
 
 
 def sentence(rows, run, between, recorded, solutions):
@@ -67,9 +76,8 @@ def sentence(rows, run, between, recorded, solutions):
         yield "the witness stands alone: there is nothing of the run to compare"
         return
     begin, end = (f"{1e3 * t:.4g}" for t in between)
-    bar = f" ± {shown(first.witness_bar, first.unit, 2)}" if first.witness_bar is not None else ""
-    text = (f"from {begin} to {end} ms the {first.name} is {shown(first.run, first.unit)} of the run and "
-            f"{shown(first.witness, first.unit)}{bar} of the witness ({first.run / first.witness - 1:+.1%})")
+    text = (f"from {begin} to {end} ms the {first.name} is {with_bar(first.run, first.run_bar, first.unit)} of the run and "
+            f"{with_bar(first.witness, first.witness_bar, first.unit)} of the witness ({first.run / first.witness - 1:+.1%})")
     if not judged:
         yield f"{text}; there are no bars to judge by: take --meshes 2"
         return
@@ -121,41 +129,57 @@ def write_series(file, series, words, width):
             out.write(",".join(f"{x:.7g}" for x in row) + "\n")
 
 
+def _panels(recorded, series, fine, run):
+    """[(what, unit, function of a Series)] of what is not none by symmetry."""
+    words = recorded.box.words()
+    panels = [(f"force along {w}", "N/m", lambda s, k=k: s.force[:, k]) for k, w in enumerate(words)]
+    size = compare.rms(np.linalg.norm(fine.force, axis=1))
+    if run is None or run.moment is not None:
+        panels.append(("moment", "N m/m", lambda s: s.moment))
+    limits = {"N/m": size, "N m/m": size * np.ptp(recorded.outline[0])}
+    panels = [panel for panel in panels
+              if max(compare.rms(panel[2](s)) for s in (fine, run or fine)) > compare.NOTHING * limits[panel[1]]]
+    if run is None or run.work is not None:
+        panels.append(("work on the fluid", "J/m", lambda s: s.work))
+    return panels
+
+
 def draw(file, recorded, series, solutions, begin):
-    """The strip at some instants; forces, moment and work over time, the witness's spread of meshes as a band."""
+    """The strip at some instants; forces, moment and work over time, the witness with its bar as a band."""
     from magfsi import plotting  # sets a backend without a screen
     import matplotlib.pyplot as plt
     time, fine = 1e3 * series["at"], series["witness"][-1]
     coarse = series["witness"][-2] if len(series["witness"]) > 1 else None
-    run = series["run"]
-    words = recorded.box.words()
-    panels = [(f"force along {w} [mN/m]", lambda s, k=k: 1e3 * s.force[:, k]) for k, w in enumerate(words)]
-    if run is None or run.moment is not None:
-        panels.append(("moment [mN m/m]", lambda s: 1e3 * s.moment))
-    if run is None or run.work is not None:
-        panels.append(("work on the fluid [mJ/m]", lambda s: 1e3 * s.work))
+    run, panels = series["run"], _panels(recorded, series, fine, series["run"])
+    plt.rcParams.update({"font.size": 8, "axes.labelsize": 8})
     figure, axes = plt.subplots(len(panels) + 1, 1, figsize=(6, 1.7 * len(panels) + 2.6), layout="constrained",
                                 gridspec_kw={"height_ratios": [1.5, *len(panels) * [1]]})
-    for shade, t in zip(np.linspace(0.75, 0.1, 5), np.linspace(begin, series["at"][-1], 5)):
-        outline = 1e3 * recorded.at(t)
-        axes[0].fill(*outline.T, facecolor=str(shade), label=f"{1e3 * t:.3g} ms")
-    axes[0].set_aspect("equal")
-    axes[0].set_xlabel(f"{words[0]} [mm]")
-    axes[0].set_ylabel(f"{words[1]} [mm]")
-    axes[0].legend(frameon=False, fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
-    for panel, (label, of) in zip(axes[1:], panels):
+    _draw_shapes(axes[0], recorded, np.linspace(begin, series["at"][-1], 5))
+    for panel, (what, unit, of) in zip(axes[1:], panels):
+        base = unit.removesuffix("/m")
+        factor, prefix = units.scaled(np.abs(of(fine)).max(), base)
         if coarse is not None:
-            ratio = solutions[-1].cells / solutions[-2].cells
-            bar = np.abs(of(fine) - of(coarse)) / (ratio - 1)
-            panel.fill_between(time, of(fine) - bar, of(fine) + bar, color="0.8", label="its bar")
-        panel.plot(time, of(fine), color="0.1", lw=1.2, label="witness")
+            bar = np.abs(of(fine) - of(coarse)) / (solutions[-1].cells / solutions[-2].cells - 1)
+            panel.fill_between(time, factor * (of(fine) - bar), factor * (of(fine) + bar), color="0.8", lw=0,
+                               label="its bar")
+        panel.plot(time, factor * of(fine), color="0.1", lw=1.2, label="witness")
         if run is not None:
-            panel.plot(time, of(run), color="#d55e00", lw=1.0, label="run")
+            panel.plot(time, factor * of(run), color="#d55e00", lw=1.0, label="run")
         panel.axvline(1e3 * begin, color="0.6", lw=0.6, ls=":")
-        panel.set_ylabel(label, fontsize=8)
-        panel.tick_params(labelsize=8)
+        panel.set_ylabel(f"{what}\n[{prefix}/m]")
         plotting.clean(panel)
-    axes[1].legend(frameon=False, fontsize=8, ncols=3, loc="upper right")
+    axes[1].legend(frameon=False, ncols=3, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0)
     axes[-1].set_xlabel("time [ms]")
     figure.savefig(file, dpi=150)
     plt.close(figure)
+
+
+def _draw_shapes(axes, recorded, times):
+    words = recorded.box.words()
+    for shade, t in zip(np.linspace(0.8, 0.1, len(times)), times):
+        outline = 1e3 * recorded.at(t)
+        axes.fill(*outline.T, facecolor=str(shade), label=f"{1e3 * t:.3g} ms")
+    axes.set_aspect("equal")
+    axes.set_xlabel(f"{words[0]} [mm]")
+    axes.set_ylabel(f"{words[1]} [mm]")
+    axes.legend(frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
