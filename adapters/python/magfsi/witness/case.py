@@ -83,7 +83,7 @@ class Case:
         period = min(recorded.period() or end, end)
         fastest = np.linalg.norm(recorded.spline(recorded.time, 1), axis=2).max()
         step = min(period / (STEPS_A_PERIOD * cells), CELLS_A_STEP * self.cell / fastest)
-        self.steps = math.ceil(end / step)
+        self.steps = math.ceil(end / step - 1e-6)
         self.step = end / self.steps
         self.every = max(1, self.steps // SAMPLES)
         self.count = 0  # of cells, once the blocks are laid
