@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""magfsi witness: a run's plane flow solved a second time, by stock pimpleFoam on a mesh that lies on the
-body's surface and moves as the run recorded it, with nothing of magfsi in it: forces, moment and work
-beside those of the run, with the mesh's own error bar."""
+"""magfsi witness: a run's plane flow solved a second time, by stock pimpleFoam on a mesh that lies
+on the body's surface and moves as the run recorded it, with nothing of magfsi in it: forces, moment
+and work beside those of the run, with the mesh's own error bar."""
 import argparse
 import re
 import sys
@@ -34,7 +34,8 @@ def cells(text):
     except ValueError:
         found = []
     if not found or min(found) < 2 or sorted(set(found)) != found:
-        raise argparse.ArgumentTypeError(f"found '{text}'; allowed are whole numbers of 2 and more, ascending, as 6,9")
+        raise argparse.ArgumentTypeError(f"found '{text}'; allowed are whole numbers of 2 and more, "
+                                         "ascending, as 6,9")
     return found
 
 
@@ -42,14 +43,15 @@ def arguments(words=None):
     parser = argparse.ArgumentParser(
         prog="magfsi witness", description=__doc__,
         epilog="The run needs output: {structure: {every: ...}}, a hundredth of a period or less, and "
-               "probes.bodies: [fluid_force, fluid_torque]. OUT has witness.csv (the table), series.csv, witness.png "
-               "and a case of OpenFOAM for each mesh.")
+               "probes.bodies: [fluid_force, fluid_torque]. OUT has witness.csv (the table), "
+               "series.csv, witness.png and a case of OpenFOAM for each mesh.")
     parser.add_argument("run", type=Path, metavar="RUN", help="a run folder")
     parser.add_argument("--meshes", type=int, choices=(1, 2, 3), default=2,
                         help="number of meshes; the bar is that of the last two (default: 2)")
     parser.add_argument("--cells", type=cells, metavar="N,...",
                         help=f"cells in the strip's thickness, a mesh each (default: {CELLS[0]},{CELLS[1]})")
-    parser.add_argument("--end", type=seconds, metavar="TIME", help="of the comparison, as '40 ms' (default: the run's)")
+    parser.add_argument("--end", type=seconds, metavar="TIME",
+                        help="of the comparison, as '40 ms' (default: the run's)")
     parser.add_argument("--period", type=seconds, metavar="TIME",
                         help="of the motion (default: that of the field or of the oscillation)")
     parser.add_argument("--run-bar", type=share, metavar="SHARE",
@@ -73,7 +75,8 @@ def solve(recorded, chosen, end):
     for count in chosen.cells:
         case, reached, fault = flow.prepare(chosen.out / f"mesh_{count}", recorded, count, end, say)
         say(f"{count} cells in the thickness: {case.count} cells, {case.steps} steps of {1e6 * case.step:.3g} us"
-            + (f"; the mesh follows to {1e3 * reached:.4g} ms of {1e3 * end:.4g} ms, then {fault}" if fault else ""))
+            + (f"; the mesh follows to {1e3 * reached:.4g} ms of {1e3 * end:.4g} ms, then {fault}"
+               if fault else ""))
         cases.append((case, reached, fault))
     reached, fault = min(((r, f) for _, r, f in cases), key=lambda found: found[0])
     if not reached > 0:
@@ -93,9 +96,10 @@ def work(chosen):
     from magfsi.witness.recorded import Recorded
     recorded = Recorded(chosen.run, chosen.end, chosen.period)
     end = recorded.time[-1]
-    say(f"{recorded.body}: {1e3 * recorded.thickness:.4g} mm thick, moves by up to {1e3 * recorded.stroke:.4g} mm to "
-        f"{1e3 * end:.4g} ms; known between {len(recorded.time)} recorded shapes to {100 * recorded.between:.2g} %, its "
-        f"area held by moving the surface by up to {1e6 * recorded.shift:.2g} um")
+    say(f"{recorded.body}: {1e3 * recorded.thickness:.4g} mm thick, moves by up to "
+        f"{1e3 * recorded.stroke:.4g} mm to {1e3 * end:.4g} ms; known between {len(recorded.time)} recorded "
+        f"shapes to {100 * recorded.between:.2g} %, its area held by moving the surface by up to "
+        f"{1e6 * recorded.shift:.2g} um")
     chosen.out.mkdir(parents=True, exist_ok=True)
     solutions = solve(recorded, chosen, end)
     for line in report.write(recorded, solutions, chosen):

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """An OpenFOAM case around a strip that moves as recorded: a mesh of blocks that lies on the strip's
-surface and deforms with it (dynamicMotionSolverFvMesh), the displacement of that surface at each time step,
-and what stock pimpleFoam 1912 solves. Nothing of magfsi is in it."""
+surface and deforms with it (dynamicMotionSolverFvMesh), the displacement of that surface at each time
+step, and what stock pimpleFoam 1912 solves. Nothing of magfsi is in it."""
 import math
 import shutil
 from pathlib import Path
 
 import numpy as np
 
-# Growth of the cells away from the strip, and along it from its edges: 1 + 0.72 / n and 1 + 0.6 / n with n cells in
-# the thickness, so that meshes are finer copies of one another. These and the steps are those of a case that was run by
-# hand (heaving plate: n = 6 and 9 differ by 1 % in the work).
+# Growth of the cells away from the strip, and along it from its edges: 1 + 0.72 / n and 1 + 0.6 / n with
+# n cells in the thickness, so that meshes are finer copies of one another. These and the steps are those
+# of a case that was run by hand (heaving plate: n = 6 and 9 differ by 1 % in the work).
 GROWTH_AWAY, GROWTH_ALONG = 0.72, 0.6
 STEPS_A_PERIOD = 800 / 6  # times n
 CELLS_A_STEP = 0.2  # that the strip may move through the mesh's finest cells
@@ -123,8 +123,8 @@ class Case:
     def _block_mesh(self, lines, counts, gradings):
         def vertex(i, j, k):
             return (k * 4 + j) * 4 + i
-        vertices = "\n".join(f"({lines[0][i]:.12g} {lines[1][j]:.12g} {z:.12g})" for z in (0.0, self.box.depth)
-                             for j in range(4) for i in range(4))
+        vertices = "\n".join(f"({lines[0][i]:.12g} {lines[1][j]:.12g} {z:.12g})"
+                             for z in (0.0, self.box.depth) for j in range(4) for i in range(4))
         names = [[f"{word}_{end}" for end in ("min", "max")] for word in self.box.words()]
         patches = {name: [] for pair in names for name in pair} | {"body": [], "planes": []}
         blocks = []
@@ -132,12 +132,13 @@ class Case:
             for i in range(3):
                 if (i, j) == (1, 1):
                     continue
-                corners = [vertex(a, b, k) for k in (0, 1) for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))]
+                corners = [vertex(a, b, k) for k in (0, 1)
+                           for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))]
                 blocks.append(f"hex ({' '.join(map(str, corners))}) ({counts[0][i]} {counts[1][j]} 1) "
                               f"simpleGrading ({gradings[0][i]} {gradings[1][j]} 1)")
                 patches["planes"] += [corners[:4], corners[4:]]
-                for ni, nj, face in ((i - 1, j, (0, 3, 7, 4)), (i + 1, j, (1, 2, 6, 5)), (i, j - 1, (0, 1, 5, 4)),
-                                     (i, j + 1, (3, 2, 6, 7))):
+                for ni, nj, face in ((i - 1, j, (0, 3, 7, 4)), (i + 1, j, (1, 2, 6, 5)),
+                                     (i, j - 1, (0, 1, 5, 4)), (i, j + 1, (3, 2, 6, 7))):
                     face = [corners[c] for c in face]
                     if (ni, nj) == (1, 1):
                         patches["body"].append(face)
@@ -148,9 +149,11 @@ class Case:
         self.sides = {names[k][e]: self.box.sides[k][e] for k in (0, 1) for e in (0, 1)}
         kinds = {name: "wall" if kind == "no_slip" else "symmetryPlane" for name, kind in self.sides.items()}
         kinds |= {"body": "wall", "planes": "empty"}
-        listed = "\n".join(
-            f"    {name} {{ type {kinds[name]}; faces ({' '.join('(' + ' '.join(map(str, f)) + ')' for f in faces)}); }}"
-            for name, faces in patches.items())
+
+        def listed_faces(faces):
+            return " ".join("(" + " ".join(map(str, face)) + ")" for face in faces)
+        listed = "\n".join(f"    {name} {{ type {kinds[name]}; faces ({listed_faces(faces)}); }}"
+                           for name, faces in patches.items())
         newline = "\n"
         self.write("system/blockMeshDict", "dictionary", f"scale 1;\nvertices\n(\n{vertices}\n);\nblocks\n(\n"
                    f"{newline.join(blocks)}\n);\nedges ();\nboundary\n(\n{listed}\n);\n")
@@ -168,9 +171,9 @@ class Case:
         self._field("pointDisplacement", "pointVectorField", "[0 1 0 0 0 0 0]", none,
                     f"type fixedValue; value uniform {none};",
                     f"type timeVaryingMappedFixedValue; mapMethod nearest; setAverage no; value uniform {none};")
-        self._field("U", "volVectorField", "[0 1 -1 0 0 0 0]", none, f"type fixedValue; value uniform {none};",
-                    f"type movingWallVelocity; value uniform {none};")
-        self._field("p", "volScalarField", "[0 2 -2 0 0 0 0]", "0", "type zeroGradient;", "type zeroGradient;")
+        self._field("U", "volVectorField", "[0 1 -1 0 0 0 0]", none,
+                    f"type fixedValue; value uniform {none};", f"type movingWallVelocity; value uniform {none};")
+        self._field("p", "volScalarField", "[0 2 -2 0 0 0 0]", "0", *2 * ["type zeroGradient;"])
 
     def _constants(self):
         self.write("constant/transportProperties", "dictionary",
@@ -195,7 +198,8 @@ runTimeModifiable no;
 {{
     forces
     {{
-        type forces; libs (forces); patches (body); rho rhoInf; rhoInf {self.box.density:.12g}; CofR (0 0 0);
+        type forces; libs (forces); patches (body);
+        rho rhoInf; rhoInf {self.box.density:.12g}; CofR (0 0 0);
         writeControl timeStep; writeInterval 1;
     }}
     shear
@@ -271,7 +275,7 @@ PIMPLE
         return np.abs(self.surface(0.0) - self.on_strip[:, :2]).max() / self.rectangle.thickness
 
     def write_shaping(self):
-        """From the straight strip to the shape of the start, in pseudo-time 0 to 1: it turns and bends."""
+        """From the straight strip to the shape of the start, in pseudo-time 0 to 1: it turns, bends."""
         r = self.rectangle
         straight = (self.on_strip[:, :2] - r.centre) @ r.turn()
         bent = (self.surface(0.0) - r.centre) @ r.turn(r.tilt)
@@ -286,4 +290,5 @@ PIMPLE
 
 
 def _vectors(rows):
-    return f"{len(rows)}\n(\n" + "\n".join(f"({a:.12g} {b:.12g} {c:.12g})" for a, b, c in rows) + "\n)\n"
+    lines = "\n".join(f"({a:.12g} {b:.12g} {c:.12g})" for a, b, c in rows)
+    return f"{len(rows)}\n(\n{lines}\n)\n"

@@ -7,7 +7,7 @@ import numpy as np
 from magfsi import runs
 from magfsi.witness.recorded import AXES, area
 
-MEAN_SHARE = 80  # parts of a period over which series are smoothed before they are laid over each other
+MEAN_SHARE = 80  # of these parts of a period one is the width of the means that are compared
 NOTHING = 1e-3  # of the force, and of it times the strip's length: less is none by symmetry
 
 
@@ -39,7 +39,8 @@ class OfRun:
         box, body = recorded.box, recorded.body
         names = [f"{body}.fluid_force_{AXES[i]}[N]" for i in box.plane]
         self.missing = []
-        self.time, self.force, self.moment, self.power, self.work = columns.get("t[s]"), None, None, None, None
+        self.time = columns.get("t[s]")
+        self.force = self.moment = self.power = self.work = None
         if names[0] not in columns:
             self.missing.append("probes.bodies: fluid_force")
             return
@@ -130,8 +131,8 @@ class Series:
 
 
 def bar_of(fine, coarse, ratio):
-    """Of a value on the finer of two meshes. At the edges of a strip the stress is singular and the
-    order below that of the schemes: first order is taken, so that the error is the difference over ratio - 1."""
+    """Of a value on the finer of two meshes. At the edges of a strip the stress is singular and the order
+    below that of the schemes: it is taken as one, so that the error is the difference over ratio - 1."""
     return None if coarse is None else abs(fine - coarse) / (ratio - 1)
 
 
@@ -171,7 +172,7 @@ def table(at, run, meshes, ratio, recorded, run_bar):
     span = at[-1] - at[0]
     for k, word in enumerate(words):
         add(f"mean force along {word}", "N/m",
-            lambda s, k=k: None if s.force is None else float(cumulative(at, s.force[:, k])[-1] / span), scale)
-        of_series(f"force along {word}", "N/m", lambda s, k=k: None if s.force is None else s.force[:, k], scale)
+            lambda s, k=k: float(cumulative(at, s.force[:, k])[-1] / span), scale)
+        of_series(f"force along {word}", "N/m", lambda s, k=k: s.force[:, k], scale)
     of_series("moment", "N m/m", lambda s: s.moment, scale * length)
     return rows

@@ -12,16 +12,16 @@ from magfsi.witness.recorded import centre
 
 FOLLOWING_STEPS = 100
 SAME_SHAPE = 1e-3  # of the thickness: the strip starts straight along an axis
-# Sum over the faces against OpenFOAM's own sum of the forces: the same numbers, written with 6 digits.
+# Sum over the faces against OpenFOAM's own sum of the forces: the same numbers, with 6 digits.
 SAME_SUM = 1e-3
 
 
 @dataclass
 class Solution:
-    """A metre deep. time [s]; force (times, 2) [N/m] of the fluid on the strip, in the plane; moment [N m/m] of it
-    about the centre of the cross-section, from the plane's first axis to its second; power [W/m] of the
-    strip on the fluid, at times of its own; cells: in the thickness; end [s]: how far the mesh could follow; fault: what
-    stopped it, or None."""
+    """A metre deep. time [s]; force (times, 2) [N/m] of the fluid on the strip, in the plane; moment
+    [N m/m] of it about the centre of the cross-section, from the plane's first axis to its second; power
+    [W/m] of the strip on the fluid, at times of its own; cells: in the thickness; end [s]: how far the
+    mesh could follow; fault: what stopped it, or None."""
 
     cells: int
     count: int
@@ -101,6 +101,6 @@ def power_of(case, time, force):
     of_foam = np.stack([np.interp(times, time, force[:, k]) for k in (0, 1)], axis=1)
     apart = np.abs(total - of_foam).max() / np.abs(of_foam).max()
     if apart > SAME_SUM:
-        raise foam.Failed(f"the sum of the traction over the strip differs by {100 * apart:.2g} % from OpenFOAM's forces "
-                          f"({case.folder}); this OpenFOAM writes other files than 1912")
+        raise foam.Failed(f"the sum of the traction over the strip differs by {100 * apart:.2g} % from "
+                          f"OpenFOAM's forces ({case.folder}); this OpenFOAM writes other files than 1912")
     return times, power

@@ -61,7 +61,8 @@ def _numbers(path):
 def patch(case, name):
     """Points (all, 3) of the mesh, and the faces of a patch as rows of point numbers."""
     mesh = case / "constant/polyMesh"
-    points = np.array(_numbers(mesh / "points").replace("(", " ").replace(")", " ").split(), float).reshape(-1, 3)
+    numbers = _numbers(mesh / "points").replace("(", " ").replace(")", " ").split()
+    points = np.array(numbers, float).reshape(-1, 3)
     entry = re.search(rf"\b{name}\s*\{{(.*?)\}}", (mesh / "boundary").read_text(), re.S).group(1)
     count, start = (int(re.search(rf"{key}\s+(\d+)", entry).group(1)) for key in ("nFaces", "startFace"))
     faces = re.findall(r"\d+\(([\d ]+)\)", _numbers(mesh / "faces"))[start:start + count]
@@ -72,10 +73,11 @@ def followed(text):
     """From the output of moveDynamicMesh: (last time of a sound mesh, what was wrong after it); the
     second is None if all were sound."""
     last = 0.0
+    patterns = {"angle": r"non-orthogonality Max: ([-0-9.e+]+)", "skewness": r"[Mm]ax skewness = ([-0-9.e+]+)"}
     for part in re.split(r"^Time = ", text, flags=re.M)[1:]:
         time = float(part.split()[0])
-        worst = {key: max(map(float, re.findall(pattern, part)), default=0.0) for key, pattern in
-                 (("angle", r"non-orthogonality Max: ([-0-9.e+]+)"), ("skewness", r"[Mm]ax skewness = ([-0-9.e+]+)"))}
+        worst = {key: max(map(float, re.findall(pattern, part)), default=0.0)
+                 for key, pattern in patterns.items()}
         faults = [line for line in part.splitlines() if line.strip().startswith("***")
                   and not any(word in line for word in HARMLESS)]
         if worst["angle"] > NON_ORTHOGONAL_DEG:
@@ -103,7 +105,8 @@ def traction(case):
     for folder in (case / "postProcessing/traction").iterdir():
         found = {}
         for file in folder.glob("*.raw"):
-            found["p" if file.stem.startswith("p_") or file.stem.endswith("_p") else "shear"] = np.loadtxt(file, ndmin=2)
+            pressure = file.stem.startswith("p_") or file.stem.endswith("_p")
+            found["p" if pressure else "shear"] = np.loadtxt(file, ndmin=2)
         out[float(folder.name)] = (found["p"][:, 3], found["shear"][:, 3:6])
     times = sorted(out)
     return np.array(times), np.array([out[t][0] for t in times]), np.array([out[t][1] for t in times])

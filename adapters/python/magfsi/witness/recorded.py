@@ -12,6 +12,8 @@ from magfsi import plotting, runs
 from magfsi.report import data
 
 AXES = "xyz"
+# Of a hexahedron in the order of VTK.
+FACES = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
 CORNER_RAD = np.radians(45)  # the outline turns by more there; of a strip's corners about 90 degrees
 # Shares of the thickness, and of the largest displacement: beyond them the motion is not plane, and
 # the files are too far apart in time for a spline.
@@ -65,13 +67,13 @@ class Box:
         sides = {name: _side(value) for name, value in fluid["boundaries"].items()}
         for name, kind in sides.items():
             if kind is None:
-                raise Refused(f"found fluid.boundaries.{name}: {fluid['boundaries'][name]}; allowed are no_slip "
-                              "walls at rest, free_slip, and periodic across the plane")
+                raise Refused(f"found fluid.boundaries.{name}: {fluid['boundaries'][name]}; allowed are "
+                              "no_slip walls at rest, free_slip, and periodic across the plane")
         across = [i for i, name in enumerate(AXES)
                   if all(sides[f"{name}_{end}"] != "no_slip" for end in ("min", "max"))]
         if len(across) != 1:
-            raise Refused(f"found {len(across)} axes between sides that are periodic or free_slip; allowed is "
-                          "one: a plane flow, in a box with walls around")
+            raise Refused(f"found {len(across)} axes between sides that are periodic or free_slip; allowed "
+                          "is one: a plane flow, in a box with walls around")
         self.normal = across[0]
         self.plane = [i for i in range(3) if i != self.normal]
         self.sides = [[sides[f"{AXES[i]}_{end}"] for end in ("min", "max")] for i in self.plane]
@@ -89,7 +91,7 @@ def _loop(cells, points, normal):
     low = points[:, normal].min()
     at_end = points[:, normal] < low + 1e-6 * np.ptp(points)
     plane = [i for i in range(3) if i != normal]
-    faces = cells[:, [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]]
+    faces = cells[:, FACES]
     edges = set()
     for face in faces.reshape(-1, 4):
         if not at_end[face].all():
@@ -99,7 +101,8 @@ def _loop(cells, points, normal):
         edges.update(zip(face.tolist(), np.roll(face, -1).tolist()))
     outer = dict(edge for edge in edges if edge[::-1] not in edges)
     if not outer:
-        raise Refused("found no even end of the body across the plane; allowed are straight ones, as of a block")
+        raise Refused("found no even end of the body across the plane; allowed are straight ones, as of "
+                      "a block")
     loop = [min(outer)]
     while outer[loop[-1]] != loop[0]:
         loop.append(outer[loop[-1]])
@@ -130,9 +133,10 @@ class Recorded:
         self.folder, self._period = Path(folder), period
         self.scene = data.read_json(self.folder / "scene.json", None)
         if self.scene is None:
-            raise Refused(f"{folder}: found no scene.json; allowed are folders that ./magfsi run has written")
+            raise Refused("found no scene.json; allowed are folders that ./magfsi run has written")
         if len(self.scene.get("bodies", {})) != 1:
-            raise Refused(f"found {len(self.scene.get('bodies', {}))} bodies; allowed is one, which alone moves the fluid")
+            raise Refused(f"found {len(self.scene.get('bodies', {}))} bodies; allowed is one, which alone "
+                          "moves the fluid")
         self.body = next(iter(self.scene["bodies"]))
         self.box = Box(self.scene)
         self._read(end)
@@ -167,8 +171,8 @@ class Recorded:
         extent = np.ptp(points[0][:, c])
         gap = 0.51 * self.scene["fluid"]["spacing"]
         if extent < self.box.depth - gap:
-            raise Refused(f"found a body of {1e3 * extent:.4g} mm along {AXES[c]} in a box of {1e3 * self.box.depth:.4g} mm; "
-                          "allowed is one that spans the box: the flow is plane")
+            raise Refused(f"found a body of {1e3 * extent:.4g} mm along {AXES[c]} in a box of "
+                          f"{1e3 * self.box.depth:.4g} mm; allowed is one that spans the box: the flow is plane")
         far = np.flatnonzero(points[0][:, c] > points[0][:, c].max() - 1e-6 * np.ptp(points[0]))
         start = points[0][:, self.box.plane]
         partner = [far[np.linalg.norm(start[far] - start[node], axis=1).argmin()] for node in loop]
@@ -176,8 +180,8 @@ class Recorded:
         apart = np.abs(moved[:, loop] - moved[:, partner]).max()
         along = np.abs(moved[:, loop, c]).max()
         if max(apart, along) > OUT_OF_PLANE * self.thickness:
-            raise Refused(f"found a motion that is not plane (by {1e6 * max(apart, along):.3g} um across the plane); allowed "
-                          "are plane ones: hold the faces across the depth by rollers")
+            raise Refused(f"found a motion that is not plane (by {1e6 * max(apart, along):.3g} um across the "
+                          "plane); allowed are plane ones: hold the faces across the depth by rollers")
 
     def _check_files(self):
         """Every second shape left out tells how well a spline knows what lies between the files; with
@@ -190,9 +194,9 @@ class Recorded:
             raise Refused("found a body that does not move; allowed is one that does")
         self.between = wrong / self.stroke
         if self.between > BETWEEN_FILES:
-            raise Refused(f"found shapes {1e3 * np.diff(self.time).max():.3g} ms apart, between which the motion is known to "
-                          f"{100 * self.between:.2g} % only; allowed is {100 * BETWEEN_FILES:.0f} %: take a smaller "
-                          "output: {structure: {every: ...}}")
+            raise Refused(f"found shapes {1e3 * np.diff(self.time).max():.3g} ms apart, between which the "
+                          f"motion is known to {100 * self.between:.2g} % only; allowed is "
+                          f"{100 * BETWEEN_FILES:.0f} %: take a smaller output: {{structure: {{every: ...}}}}")
 
     def _of_constant_area(self):
         """The outline with the area of the start: no fluid enters an incompressible flow. Points
@@ -233,8 +237,8 @@ class Recorded:
         the best rigid motion brings it, as a share of the stroke."""
         middle = centre(self.outline)
         arm = self.outline - middle[:, None]
-        turned = np.arctan2(_cross(arm[0][None], arm).sum(axis=1), (arm[0][None] * arm).sum(axis=(1, 2)))
-        angle = np.unwrap(turned)
+        first = arm[0][None]
+        angle = np.unwrap(np.arctan2(_cross(first, arm).sum(axis=1), (first * arm).sum(axis=(1, 2))))
         c, s = np.cos(angle)[:, None], np.sin(angle)[:, None]
         rigid = np.stack([c * arm[0, :, 0] - s * arm[0, :, 1], s * arm[0, :, 0] + c * arm[0, :, 1]], axis=-1)
         return middle, angle, np.linalg.norm(rigid - arm, axis=2).max() / self.stroke

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `magfsi witness` leaves: a table, the series, a figure, and in words whether run and witness agree."""
+"""What `magfsi witness` leaves: a table, series, a figure, and in words whether run and witness agree."""
 import csv
 
 import numpy as np
@@ -55,7 +55,7 @@ def lines(rows):
         share = f", {(row.run - row.witness) / row.size:+.1%}" + (
             " of its rms" if row.name.startswith("mean") else "") if row.size > 0 else ""
         if row.name.startswith("rms difference"):
-            own = f", between the meshes {shown([row.witness_bar], row.unit)}" if row.witness_bar is not None else ""
+            own = "" if row.witness_bar is None else f", bar of the meshes {shown([row.witness_bar], row.unit)}"
             yield f"  {row.name}: {with_bar(row.run, row.run_bar, row.unit)}{own}{share}{verdict}"
         else:
             yield (f"  {row.name}: run {with_bar(row.run, row.run_bar, row.unit)}, witness "
@@ -76,8 +76,10 @@ def sentence(rows, run, between, recorded, solutions):
         yield "the witness stands alone: there is nothing of the run to compare"
         return
     begin, end = (f"{1e3 * t:.4g}" for t in between)
-    text = (f"from {begin} to {end} ms the {first.name} is {with_bar(first.run, first.run_bar, first.unit)} of the run and "
-            f"{with_bar(first.witness, first.witness_bar, first.unit)} of the witness ({first.run / first.witness - 1:+.1%})")
+    text = (f"from {begin} to {end} ms the {first.name} is "
+            f"{with_bar(first.run, first.run_bar, first.unit)} of the run and "
+            f"{with_bar(first.witness, first.witness_bar, first.unit)} of the witness "
+            f"({first.run / first.witness - 1:+.1%})")
     if not judged:
         yield f"{text}; there are no bars to judge by: take --meshes 2"
         return
@@ -93,19 +95,21 @@ def write_table(file, rows, at, fine, solutions, words, width):
     """Lines of comment say what was compared; without a run's forces the witness's values stand alone."""
     number = "{:.6g}".format
     with open(file, "w", newline="") as out:
-        out.write(f"# A metre of strip, from {at[0]:.6g} to {at[-1]:.6g} s; series are Gaussian means of {width:.3g} s. "
-                  f"Meshes: {', '.join(str(s.cells) for s in solutions)} cells in the thickness. The difference of the last "
-                  "two over their ratio less 1 is witness_bar.\n")
+        out.write(f"# A metre of strip, from {at[0]:.6g} to {at[-1]:.6g} s; series are Gaussian means of "
+                  f"{width:.3g} s. Meshes: {', '.join(str(s.cells) for s in solutions)} cells in the thickness. "
+                  "The difference of the last two over their ratio less 1 is witness_bar.\n")
         table = csv.writer(out)
-        table.writerow(["quantity", "unit", "witness", "witness_bar", "run", "run_bar", "difference", "within_bars"])
+        table.writerow(["quantity", "unit", "witness", "witness_bar", "run", "run_bar", "difference",
+                        "within_bars"])
         for row in rows:
-            table.writerow([row.name, row.unit, number(row.witness), *("" if b is None else number(b) for b in
-                            (row.witness_bar,)), number(row.run), "" if row.run_bar is None else number(row.run_bar),
+            bars = ["" if bar is None else number(bar) for bar in (row.witness_bar, row.run_bar)]
+            table.writerow([row.name, row.unit, number(row.witness), bars[0], number(row.run), bars[1],
                             number(row.run - row.witness), {True: "yes", False: "no", None: ""}[row.agrees()]])
         if not rows:
             table.writerow(["work on the fluid", "J/m", number(fine.work[-1]), "", "", "", "", ""])
             for k, word in enumerate(words):
-                table.writerow([f"rms force along {word}", "N/m", number(compare.rms(fine.force[:, k])), *5 * [""]])
+                table.writerow([f"rms force along {word}", "N/m", number(compare.rms(fine.force[:, k])),
+                                *5 * [""]])
 
 
 def write_series(file, series, words, width):
@@ -122,8 +126,8 @@ def write_series(file, series, words, width):
             if getattr(source, what) is not None:
                 columns[f"{name}.{what}[{unit}]"] = getattr(source, what)
     with open(file, "w", newline="") as out:
-        out.write(f"# A metre of strip. Forces, moments about the centre of the cross-section and power are Gaussian means "
-                  f"of {width:.3g} s.\n")
+        out.write("# A metre of strip. Forces, moments about the centre of the cross-section and power are "
+                  f"Gaussian means of {width:.3g} s.\n")
         csv.writer(out).writerow(columns)
         for row in zip(*columns.values()):
             out.write(",".join(f"{x:.7g}" for x in row) + "\n")
@@ -145,7 +149,7 @@ def _panels(recorded, series, fine, run):
 
 
 def draw(file, recorded, series, solutions, begin):
-    """The strip at some instants; forces, moment and work over time, the witness with its bar as a band."""
+    """The strip at some instants; forces, moment, work over time, the witness with its bar as a band."""
     from magfsi import plotting  # sets a backend without a screen
     import matplotlib.pyplot as plt
     time, fine = 1e3 * series["at"], series["witness"][-1]
