@@ -69,7 +69,8 @@ class Heaving(unittest.TestCase):
             testing.report(f"work of the last period {1e6 * work:.2f} +- {1e6 * bar:.2f} uJ/m")
             # Its own error is 1 %, and so is that of the case by hand.
             self.assertLess(abs(work / 154.1e-6 - 1), 0.02)
-            self.assertLess(bar, 0.04 * work)
+            # Twice what meshes of 6 and 9 cells are apart in the course of the work.
+            self.assertLess(bar, 0.05 * work)
 
 
     def test_a_strip_that_starts_tilted_heaves_alike(self):

@@ -130,49 +130,46 @@ class Series:
             self.work = self.work - self.work[0]
 
 
-def bar_of(fine, coarse, ratio):
-    """Of a value on the finer of two meshes. At the edges of a strip the stress is singular and the order
-    below that of the schemes: it is taken as one, so that the error is the difference over ratio - 1."""
-    return None if coarse is None else abs(fine - coarse) / (ratio - 1)
-
-
 def rms(values):
     return float(np.sqrt(np.mean(np.square(values))))
 
 
 def table(at, run, meshes, ratio, recorded, run_bar):
     """[Row]: run: Series of the run; meshes: Series of the meshes, the finest last; ratio: of the cells of
-    the last two; run_bar: share of each value, or None. What is none by symmetry has no row."""
-    fine, coarse = meshes[-1], meshes[-2] if len(meshes) > 1 else None
-    words, length = recorded.box.words(), np.linalg.norm(recorded.outline[0, recorded.corners[1]]
-                                                         - recorded.outline[0, 0])
-    scale = rms(np.linalg.norm(fine.force, axis=1))
-    rows = []
+    the last two; run_bar: share of each value, or None. What is none by symmetry has no row.
 
-    def add(name, unit, value, size):
-        """value(series): a number, or None of what it lacks."""
-        mine, its = value(fine), value(run)
-        if its is None or max(abs(mine), abs(its)) < NOTHING * size:
+    At the edges of a strip the stress is singular and the order below that of the schemes: it is taken as
+    one, so that a bar is a difference of two meshes over ratio - 1. It is that of whole courses, the rms of
+    a difference or the largest of an integral's: two meshes may share an end value by chance."""
+    fine, coarse = meshes[-1], meshes[-2] if len(meshes) > 1 else None
+    ends = recorded.outline[0, recorded.corners[:2]]
+    scale = rms(np.linalg.norm(fine.force, axis=1))
+    rows, span = [], at[-1] - at[0]
+
+    def add(name, unit, mine, its, of_meshes, size):
+        """of_meshes(): what the last two meshes are apart."""
+        if max(abs(mine), abs(its)) < NOTHING * size:
             return
-        bar = bar_of(mine, value(coarse) if coarse else None, ratio)
+        bar = None if coarse is None else of_meshes() / (ratio - 1)
         # A mean may be small beside what it is the mean of, whose error it has.
         rows.append(Row(name, unit, mine, bar, its,
                         None if run_bar is None else run_bar * max(abs(its), size), size))
 
-    def of_series(name, unit, of, size):
-        """The rms, and that of the difference, which the witness has of itself by its meshes."""
-        if of(run) is None or max(rms(of(fine)), rms(of(run))) < NOTHING * size:
+    def add_series(name, unit, of, size):
+        if max(rms(of(fine)), rms(of(run))) < NOTHING * size:
             return
-        add(f"rms {name}", unit, lambda s: rms(of(s)), rms(of(fine)))
-        bar = None if coarse is None else rms(of(fine) - of(coarse)) / (ratio - 1)
-        rows.append(Row(f"rms difference of the {name}", unit, 0.0, bar, rms(of(run) - of(fine)),
-                        None if run_bar is None else run_bar * rms(of(run)), rms(of(fine))))
+        own = rms(of(fine))
+        add(f"rms {name}", unit, own, rms(of(run)), lambda: rms(of(fine) - of(coarse)), own)
+        add(f"rms difference of the {name}", unit, 0.0, rms(of(run) - of(fine)),
+            lambda: rms(of(fine) - of(coarse)), own)
     if run.work is not None:
-        add("work on the fluid", "J/m", lambda s: float(s.work[-1]), abs(fine.work[-1]))
-    span = at[-1] - at[0]
-    for k, word in enumerate(words):
-        add(f"mean force along {word}", "N/m",
-            lambda s, k=k: float(cumulative(at, s.force[:, k])[-1] / span), scale)
-        of_series(f"force along {word}", "N/m", lambda s, k=k: s.force[:, k], scale)
-    of_series("moment", "N m/m", lambda s: s.moment, scale * length)
+        add("work on the fluid", "J/m", float(fine.work[-1]), float(run.work[-1]),
+            lambda: np.abs(fine.work - coarse.work).max(), abs(fine.work[-1]))
+    for k, word in enumerate(recorded.box.words()):
+        impulse = [cumulative(at, s.force[:, k]) / span if s else None for s in (fine, run, coarse)]
+        add(f"mean force along {word}", "N/m", float(impulse[0][-1]), float(impulse[1][-1]),
+            lambda i=impulse: np.abs(i[0] - i[2]).max(), scale)
+        add_series(f"force along {word}", "N/m", lambda s, k=k: s.force[:, k], scale)
+    if run.moment is not None:
+        add_series("moment", "N m/m", lambda s: s.moment, scale * np.linalg.norm(ends[1] - ends[0]))
     return rows
