@@ -3,11 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from magfsi import runs
 from magfsi.witness.recorded import AXES, area
 
 MEAN_SHARE = 80  # of these parts of a period one is the width of the means that are compared
+RIGID = 0.01  # of the stroke, between a body and the best rigid motion
 NOTHING = 1e-3  # of the force, and of it times the strip's length: less is none by symmetry
 
 
@@ -53,26 +55,37 @@ class OfRun:
         self._work(recorded, columns)
 
     def _work(self, recorded, columns):
-        """On the fluid: the energy audit's where it is; else of a body that moves as a rigid one, minus
-        force times velocity of its centre and moment times its rate. Rows hold means over the step
-        that ended there, whose work is that on the way from row to row."""
-        if "audit.given_to_fluid[J]" in columns:
-            self.work = columns["audit.given_to_fluid[J]"] / recorded.box.depth
+        """On the fluid: by the energy audit where it is, else that of a body that moves as a rigid one."""
+        self.work = work_by_audit(recorded, columns)
+        if self.work is not None:
             return
         middle, angle, off = recorded.rigid()
-        if off > 0.01:
+        if off > RIGID:
             self.missing.append("probes: energy_audit (of a body that bends)")
-            return
-        turns = np.ptp(angle) > 1e-6
-        if turns and self.moment is None:
-            return
-        from scipy.interpolate import CubicSpline
+        elif np.ptp(angle) < 1e-6 or self.moment is not None:
+            self.power = self.rigid_power(recorded, middle, angle)
+            self.work = cumulative(self.time, self.power)
+
+    def rigid_power(self, recorded, middle, angle):
+        """Minus force times velocity of the centre, and moment times rate. Rows hold means over the step
+        that ended there."""
         time = np.clip(self.time, recorded.time[0], recorded.time[-1])
         velocity = CubicSpline(recorded.time, middle, axis=0)(time, 1)
-        self.power = -(self.force * velocity).sum(axis=1)
-        if turns:
-            self.power -= self.moment * CubicSpline(recorded.time, angle)(time, 1)
-        self.work = cumulative(self.time, self.power)
+        power = -(self.force * velocity).sum(axis=1)
+        if self.moment is not None:
+            power -= self.moment * CubicSpline(recorded.time, angle)(time, 1)
+        return power
+
+
+def work_by_audit(recorded, columns):
+    """What the bodies have given to the fluid of a run, less the energy of what its cells hold inside the
+    body, which is the difference of the body's kinetic energies [J/m]; None without an audit."""
+    names = [f"audit.{name}[J]" for name in ("given_to_fluid", "kinetic_whole", "kinetic")]
+    if not all(name in columns for name in names):
+        return None
+    given, whole, own = (columns[name] for name in names)
+    inside = whole - own
+    return (given - inside + inside[0]) / recorded.box.depth
 
 
 def buoyancy(recorded):
