@@ -160,9 +160,9 @@ class Bending(unittest.TestCase):
         self.assertLess(held, 0.02)
         share = found["run.work[J/m]"][-1] / found["witness.work[J/m]"][-1]
         testing.report(f"bending: area held within {held:.2g} um, work of the run over the witness's {share:.3f}")
-        # The run's grid has half a cell in the thickness, and gives some 30 % less.
-        self.assertGreater(share, 0.4)
-        self.assertLess(share, 1.2)
+        # The run's grid has half a cell in the thickness: up to 30 % off in strokes of this length.
+        self.assertGreater(share, 0.6)
+        self.assertLess(share, 1.4)
 
 
 class Following(unittest.TestCase):
