@@ -28,6 +28,7 @@ gallery|module|docs/index.html: every tutorial's page, picture and cost
 =accuracy and search
 cost|module|the error bars of a scene, and what 10, 5, 2 and 1 % cost
 study|module|a scene over a product of settings: error against seconds
+witness|module|a run's plane flow again by OpenFOAM on a mesh fitted to the body: agreement with bars
 optimize|module|the best settings of a scene for an objective
 =other programs
 lammps|own|LAMMPS with the magttice's styles, for plain input scripts
