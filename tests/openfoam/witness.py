@@ -100,11 +100,11 @@ class Turning(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.run = testing.good_run(STRIP, {
+        cls.beside = testing.good_run(STRIP, {
             "time.end": "6 ms", "output.structure.every": "0.1 ms", "fluid.expected_speed": "1 m/s",
             MOTION: f"[{{{FACES}, turning: {{axis: [0, -1, 0], about: [8 mm, 0.33333333333333 mm, 8 mm], "
                     "oscillation: {amplitude: 2 deg, frequency: 250 Hz, phase: -90 deg}}}]"})
-        cls.found, cls.text = good(cls.run.folder, "--cells", "3")
+        cls.found, cls.text = good(cls.beside.folder, "--cells", "3")
 
     def inertia(self, moment):
         """The part of a moment that goes with the acceleration, over the last whole period."""
@@ -144,7 +144,7 @@ class Turning(unittest.TestCase):
 
     def test_a_mesh_alone_has_no_bar(self):
         self.assertIn("no bars to judge by", self.text)
-        self.assertEqual(rows(self.run.folder)["work on the fluid"]["witness_bar"], "")
+        self.assertEqual(rows(self.beside.folder)["work on the fluid"]["witness_bar"], "")
 
 
 class Bending(unittest.TestCase):
