@@ -74,6 +74,50 @@ Vec3 way(const FormulaMotion& f) {
     return out;
 }
 
+// A turn moves nodes along all axes of space but its own.
+Vec3 displacement(const TurningMotion&, double) {
+    return {};
+}
+Vec3 velocity(const TurningMotion&, double) {
+    return {};
+}
+Vec3 acceleration(const TurningMotion&, double) {
+    return {};
+}
+
+Vec3 way(const TurningMotion& turning) {
+    Vec3 out{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        Vec3 across = turning.axis;
+        across[d] = 0;
+        out[d] = norm(across) > 1e-12 * norm(turning.axis) ? 1 : 0;
+    }
+    return out;
+}
+
+// The angle [rad] of a turn, or a derivative of it, by the functions of a displacement
+// along x: an oscillation's by one with this amplitude in place of metres.
+Oscillation as_displacement(const AngleOscillation& o) {
+    return {{o.amplitude_rad, 0, 0}, o.frequency_hz, o.phase_rad};
+}
+FormulaMotion as_displacement(const Formula& angle) {
+    return {{angle, Formula{}, Formula{}}};
+}
+
+template <class Derivative>
+Turn turn_of(const MotionCourse& course, const Derivative& derivative) {
+    const auto* turning = std::get_if<TurningMotion>(&course);
+    if (!turning) return {};
+    const double angle = std::visit(
+        [&](const auto& a) { return derivative(as_displacement(a))[0]; }, turning->angle);
+    return {angle / norm(turning->axis) * turning->axis, turning->about_m};
+}
+
+// sin(x) / x
+double sinc(double x) {
+    return x == 0 ? 1 : std::sin(x) / x;
+}
+
 // True if a node is held along all axes, or along one on which the motion would move it.
 bool holds(const HeldAxes& held, const Vec3& way) {
     if (held == HeldAxes{true, true, true}) return true;
@@ -101,6 +145,12 @@ void check_motions(const std::vector<Body>& bodies,
     for (const PrescribedMotion& motion : motions) {
         const Body& body = bodies[motion.body];
         const std::vector<HeldAxes> held = held_axes(body, faces[motion.body]);
+        if (const auto* turning = std::get_if<TurningMotion>(&motion.course);
+            turning && !(norm(turning->axis) > 0))
+            refuse(
+                "prescribed_motion of body {}: found an axis of length 0; give it a "
+                "direction such as [0, 1, 0]",
+                body.name);
         const Vec3 its_way =
             std::visit([](const auto& c) { return way(c); }, motion.course);
         for (const int node : moved_nodes(body, motion)) {
@@ -124,6 +174,36 @@ Vec3 velocity_m_s(const MotionCourse& course, double time_s) {
 
 Vec3 acceleration_m_s2(const MotionCourse& course, double time_s) {
     return std::visit([&](const auto& c) { return acceleration(c, time_s); }, course);
+}
+
+Turn turn_rad(const MotionCourse& course, double time_s) {
+    return turn_of(course, [&](const auto& c) { return displacement(c, time_s); });
+}
+
+Turn turn_rate_rad_s(const MotionCourse& course, double time_s) {
+    return turn_of(course, [&](const auto& c) { return velocity(c, time_s); });
+}
+
+Turn turn_acceleration_rad_s2(const MotionCourse& course, double time_s) {
+    return turn_of(course, [&](const auto& c) { return acceleration(c, time_s); });
+}
+
+// Rodrigues' formula, sin(a) k x r + (1 - cos(a)) k x (k x r) with the unit vector k, in
+// a form that loses no digits at small angles a.
+Vec3 turned_by_m(const Vec3& turn, const Vec3& arm_m) {
+    const double angle = norm(turn), half = sinc(angle / 2);
+    const Vec3 across = cross(turn, arm_m);
+    return sinc(angle) * across + half * half / 2 * cross(turn, across);
+}
+
+// Beside the acceleration along the way, that towards the axis.
+Vec3 node_acceleration_m_s2(const MotionCourse& course, const Vec3& place_m,
+                            double time_s) {
+    const Turn rate = turn_rate_rad_s(course, time_s);
+    const Vec3 arm_m = place_m - rate.about_m;
+    return acceleration_m_s2(course, time_s) +
+           cross(turn_acceleration_rad_s2(course, time_s).vector, arm_m) +
+           cross(rate.vector, cross(rate.vector, arm_m));
 }
 
 }  // namespace magfsi::structure

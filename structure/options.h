@@ -327,10 +327,24 @@ struct DisplacementRamp {
 struct FormulaMotion {
     std::array<Formula, 3> component_m;
 };
-using MotionCourse = std::variant<Oscillation, DisplacementRamp, FormulaMotion>;
+// Angle amplitude (sin(2 pi f t + phase) - sin(phase)).
+struct AngleOscillation {
+    double amplitude_rad = 0;
+    double frequency_hz = 0;
+    double phase_rad = 0;
+};
+// Turn, right-handed, about an axis through a point that stays where it is in space. The
+// angle of a formula counts from its value at time 0.
+struct TurningMotion {
+    Vec3 axis{0, 0, 1};  // direction of any length
+    Vec3 about_m{};
+    std::variant<AngleOscillation, Formula> angle;
+};
+using MotionCourse =
+    std::variant<Oscillation, DisplacementRamp, FormulaMotion, TurningMotion>;
 
-// Faces that are held and moved from outside by a displacement of the undeformed place,
-// which is zero at time 0.
+// Faces that are held and moved from outside, by a displacement or a turn that is zero at
+// time 0.
 struct PrescribedMotion {
     std::size_t body = 0;  // number of the body in the list of bodies
     std::vector<std::string> faces;

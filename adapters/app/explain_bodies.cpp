@@ -284,8 +284,10 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
                                        scene::axis_names[roller.axis]));
     }
     for (const structure::PrescribedMotion& motion : body.prescribed_motion) {
+        const bool turned =
+            std::holds_alternative<structure::TurningMotion>(motion.course);
         for (const std::string& face : motion.faces)
-            held.push_back(with_nodes(face) + " moved");
+            held.push_back(with_nodes(face) + (turned ? " turned" : " moved"));
     }
     text +=
         fmt::format("    held: {}\n",

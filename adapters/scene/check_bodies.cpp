@@ -218,6 +218,23 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
     }
 }
 
+// A turn needs an axis and an angle at all times of a run over time. On a path of
+// equilibria all nodes of a face have one displacement.
+void check_turning(const Scene& scene, const Body& body, const TurningMotion& turning,
+                   const std::string& number, const Marks& marks) {
+    const auto at = [&](const char* name) -> const Origin& {
+        return marks.value(
+            {"bodies", body.name, "prescribed_motion", number, "turning", name});
+    };
+    require(norm(turning.axis) > 0, at("axis"), "an axis of length 0",
+            "any other vector such as [0, 1, 0]");
+    require(!scene.time.equilibrium, at("axis"),
+            "a face that turns on a path of equilibria", "it in runs over time",
+            "remove time.equilibrium, or move the face by oscillation, ramp or formula");
+    if (const auto* angle = std::get_if<Formula>(&turning.angle))
+        largest_size(*angle, scene.time.end_s, at("angle"));
+}
+
 // A face may be held or moved once; moved faces need Newton's method on paths of
 // equilibria.
 void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks) {
@@ -237,6 +254,9 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
                                           std::to_string(i), "formula",
                                           std::string(axis_names[d])}));
         }
+        if (const auto* turning =
+                std::get_if<TurningMotion>(&body.prescribed_motion[i].course))
+            check_turning(scene, body, *turning, std::to_string(i), marks);
         for (const std::string& face : body.prescribed_motion[i].faces) {
             check_face(body, face, "prescribed_motion", here);
             require(std::ranges::find(held, face) == held.end(), here,
@@ -245,6 +265,42 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
             held.push_back(face);
         }
     }
+}
+
+// Largest rate of a turn within the run [rad/s], of a formula by samples.
+double largest_rate_rad_s(const TurningMotion& turning, double end_s) {
+    if (const auto* o = std::get_if<AngleOscillation>(&turning.angle))
+        return 2 * std::numbers::pi * o->frequency_hz * std::abs(o->amplitude_rad);
+    const std::array<Formula, 3> angle{std::get<Formula>(turning.angle), {}, {}};
+    double largest = 0;
+    for (int i = 0; i <= 1000; ++i)
+        largest = std::max(largest, norm(velocity(angle, end_s * i / 1000)));
+    return largest;
+}
+
+// Largest distance of a corner of the block, as it is placed, from the axis of a turn; 0
+// for other meshes.
+double farthest_from_axis_m(const Body& body, const TurningMotion& turning) {
+    const auto* box = std::get_if<Box>(&body.mesh);
+    if (!box) return 0;
+    const Vec3 centre =
+        body.initial.position_m ? *body.initial.position_m : 0.5 * box->size_m;
+    double farthest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 arm = 0.5 * box->size_m;
+        for (int d = 0; d < 3; ++d)
+            if ((corner >> d) % 2 == 1) arm[d] = -arm[d];
+        if (const auto& turn = body.initial.rotation) {
+            const auto [a, b] = turn->plane;
+            const double c = std::cos(turn->angle_rad), s = std::sin(turn->angle_rad);
+            const double along = c * arm[a] - s * arm[b];
+            arm[b] = s * arm[a] + c * arm[b];
+            arm[a] = along;
+        }
+        const Vec3 across = cross(turning.axis, centre + arm - turning.about_m);
+        farthest = std::max(farthest, norm(across) / norm(turning.axis));
+    }
+    return farthest;
 }
 
 }  // namespace
@@ -291,9 +347,12 @@ void check_bodies(const Scene& scene, const Marks& marks) {
 }
 
 // Peak speeds: 2 pi f A of an oscillation, pi / 2 of the mean speed of a ramp by (1 -
-// cos) / 2, sampled for formulas.
-double largest_speed_m_s(const PrescribedMotion& motion, double end_s) {
+// cos) / 2, sampled for formulas and turns. The speed of a turn is that of the block's
+// farthest corner; of other meshes, whose extent is not known here, it is not checked.
+double largest_speed_m_s(const Body& body, const PrescribedMotion& motion, double end_s) {
     constexpr double pi = std::numbers::pi;
+    if (const auto* turning = std::get_if<TurningMotion>(&motion.course))
+        return largest_rate_rad_s(*turning, end_s) * farthest_from_axis_m(body, *turning);
     if (const auto* o = std::get_if<Oscillation>(&motion.course))
         return 2 * pi * o->frequency_hz * norm(o->amplitude_m);
     if (const auto* ramp = std::get_if<DisplacementRamp>(&motion.course))

@@ -63,10 +63,10 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
     }
     for (const Body& body : scene.bodies) {
         for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i)
-            check_speed(largest_speed_m_s(body.prescribed_motion[i], scene.time.end_s),
-                        "the prescribed motion's largest speed",
-                        marks.item({"bodies", body.name, "prescribed_motion"}, i), fluid,
-                        dt_s);
+            check_speed(
+                largest_speed_m_s(body, body.prescribed_motion[i], scene.time.end_s),
+                "the prescribed motion's largest speed",
+                marks.item({"bodies", body.name, "prescribed_motion"}, i), fluid, dt_s);
     }
 }
 

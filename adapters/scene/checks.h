@@ -115,8 +115,8 @@ inline std::string metres(double value) {
 inline std::string seconds(double value) {
     return format_si(value, "s");
 }
-// Largest speed [m/s] of a prescribed motion within the run.
-double largest_speed_m_s(const PrescribedMotion& motion, double end_s);
+// Largest speed [m/s] of a body's prescribed motion within the run.
+double largest_speed_m_s(const Body& body, const PrescribedMotion& motion, double end_s);
 // Largest magnitude of a formula over the run, sampled at 1001 instants including both
 // ends. Refuses a formula without a finite value at one of them; a fault in between stops
 // the run when it is met.

@@ -204,6 +204,33 @@ void keys(Io& io, DisplacementRamp& ramp) {
     io(quantity("duration", "s", "Time that the displacement takes.").above(0), ramp.duration_s);
 }
 
+// Keys of `prescribed_motion[].turning.oscillation`.
+template <class Io>
+void keys(Io& io, AngleOscillation& oscillation) {
+    io(quantity("amplitude", "rad", "Amplitude of the angle."), oscillation.amplitude_rad);
+    io(quantity("frequency", "1/s", "Number of periods per second.").above(0),
+       oscillation.frequency_hz);
+    io(quantity("phase", "rad",
+           "Phase of the oscillation. With 0 it starts at full speed, to both sides of "
+           "the start; with -90 deg it starts from rest, to one side.").by_default(),
+       oscillation.phase_rad);
+}
+
+// Keys of `prescribed_motion[].turning`.
+template <class Io>
+void keys(Io& io, TurningMotion& turning) {
+    io(key("axis",
+           "Axis about which the face turns, right-handed. Its length does not matter."),
+       turning.axis);
+    io(quantity("about", "m",
+           "A point of the axis in space, where the body has been placed."), turning.about_m);
+    io.alternatives(turning.angle,
+        key("oscillation",
+           "Angle amplitude (sin(2 pi frequency t + phase) - sin(phase))."),
+        quantity("angle", "rad",
+           "Angle as a formula of the time t, which counts from its value at time 0."));
+}
+
 // Keys of `prescribed_motion[]`.
 template <class Io>
 void keys(Io& io, PrescribedMotion& motion) {
@@ -215,7 +242,9 @@ void keys(Io& io, PrescribedMotion& motion) {
            "Displacement that grows by (1 - cos(pi t / duration)) / 2 and is then held."),
         key("formula",
            "Formulas of the time t for the components of the displacement, which counts "
-           "from its value at time 0."));
+           "from its value at time 0."),
+        key("turning",
+           "Turn about an axis that is fixed in space. It needs a run over time."));
 }
 
 // Keys of `initial.rotation`.
@@ -296,8 +325,8 @@ void keys(Io& io, Body& body) {
            "faces across the depth for plane strain, one for a plane of symmetry.").optional(),
        body.rollers);
     io(key("prescribed_motion",
-           "List of faces that something outside holds and moves along axes of space, "
-           "from where they start.").optional(),
+           "List of faces that something outside holds, and moves along axes of space or "
+           "turns about one, from where they start.").optional(),
        body.prescribed_motion);
     io(key("initial",
            "State of the body at time 0: it is relaxed first, then rotated, then placed.").optional(),

@@ -33,7 +33,8 @@ auto fields(Load& load) {
 template <class Report>
 auto fields_of_report(Report& report) {
     return std::tie(report.name, report.tasks, report.waiting, report.memory_bytes,
-                    report.versions, report.substeps, report.sections);
+                    report.processor_s, report.versions, report.substeps,
+                    report.sections);
 }
 
 template <class... T>
@@ -150,7 +151,7 @@ Json to_json(const Summary& summary) {
     if (summary.immersed_boundary_share)
         out["immersed_boundary_share"] = *summary.immersed_boundary_share;
     out["advice"] = summary.advice;
-    out["memory_bytes"] = Json::object();
+    for (const char* key : {"memory_bytes", "processor_s"}) out[key] = Json::object();
     for (const ParticipantReport& side : summary.participants) {
         out["versions"].update(object(side.versions));
         out["ranks"][side.name] = side.load.ranks;
@@ -161,6 +162,7 @@ Json to_json(const Summary& summary) {
                                   {"waiting_s", side.load.waiting_s},
                                   {"imbalance", side.load.imbalance}};
         out["memory_bytes"][side.name] = side.memory_bytes;
+        out["processor_s"][side.name] = side.processor_s;
         for (const auto& [key, text] : side.sections) out[key] = Json::parse(text);
     }
     out["probes"] = object(summary.probes);

@@ -104,6 +104,7 @@ struct ParticipantReport {
     Named<double> waiting;  // seconds of the tasks waiting for the partner
     SideLoad load;
     std::int64_t memory_bytes = 0;  // all ranks
+    double processor_s = 0;         // all ranks and threads, start-up included
     Named<std::string> versions;
     std::int64_t substeps = 0;    // total number, structure only
     Named<std::string> sections;  // JSON of each section by its key, "fluid" ...

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
@@ -26,6 +27,11 @@ std::int64_t peak_resident_bytes() {
         if (key == "VmHWM:" && status >> kibibytes) return 1024 * kibibytes;
     }
     return 0;
+}
+
+// What all threads of this process have taken of the processors since it began [s].
+double processor_s() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 // Sums the tasks by kind and reduces them over the ranks. Collective.
@@ -85,6 +91,8 @@ ParticipantReport basic_report(const World& world, const TaskList& tasks, double
     report.load = load_of(world, times, idle_s);
     const std::int64_t mine = peak_resident_bytes();
     MPI_Reduce(&mine, &report.memory_bytes, 1, MPI_INT64_T, MPI_SUM, 0, world.local());
+    const double taken_s = processor_s();
+    MPI_Reduce(&taken_s, &report.processor_s, 1, MPI_DOUBLE, MPI_SUM, 0, world.local());
     return report;
 }
 

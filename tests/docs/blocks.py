@@ -36,7 +36,8 @@ NO_CODE = ("text", "{literalinclude}", "{eval-rst}")
 ELSEWHERE = {("docs/python.md", "python"): "python_api"}
 # What other tests run, by their names; here the options are looked at.
 WHOLE = {"python": "documentation_figures", "bench": "documentation_figures",
-         "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing"}
+         "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing",
+         "compare": "compare_both_fluids"}
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)
 
@@ -206,9 +207,9 @@ class Shell(unittest.TestCase):
             self.words_are_known(words)
         elif command == "optimize":
             self.folder.good([*words, "--runs", "1", "--search-only", "--set", "fluid.spacing=0.4 mm"])
-        elif command in WHOLE:
+        elif command in WHOLE and not (command == "compare" and words[2].startswith("runs/")):
             self.words_are_known(words)
-        elif command in ("plot", "figure", "report", "render"):
+        elif command in ("plot", "figure", "report", "render", "compare"):
             for word in words[2:]:
                 if word.startswith("runs/") and not (self.folder.path / word / "summary.json").exists():
                     self.folder.good(["./magfsi", "run", "my_scene.yaml", "--set", "time.end=1 ms",

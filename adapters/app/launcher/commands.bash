@@ -20,6 +20,7 @@ schema|program|JSON Schema of the scene file, for editors
 report|module|a page of a run to play with, or of several laid over each other
 watch|module|that page of a run while it goes on
 plot|module|one picture of any run: shapes and every probe
+compare|module|a scene with both fluids, or two runs: how far apart they are, and what each cost
 figure|module|curves of runs for a paper: PDF and SVG, width and fonts for print
 render|module|an instant of any run, lit, with vortices
 film|module|any run as a film (MP4)
@@ -27,6 +28,7 @@ gallery|module|docs/index.html: every tutorial's page, picture and cost
 =accuracy and search
 cost|module|the error bars of a scene, and what 10, 5, 2 and 1 % cost
 study|module|a scene over a product of settings: error against seconds
+witness|module|a run's plane flow again by OpenFOAM on a mesh fitted to the body: agreement with bars
 optimize|module|the best settings of a scene for an objective
 =other programs
 lammps|own|LAMMPS with the magttice's styles, for plain input scripts

@@ -106,9 +106,9 @@ def panels(columns):
         owner, dot, quantity = plain(name).rpartition(".")
         stem, _, part = quantity.rpartition("_")
         vector = part.lstrip("u") in ("x", "y", "z") and len(part) <= 2
+        if is_told_by_a_displacement(name, columns):
+            continue
         if vector:
-            if part in "xyz" and f"{owner}{dot}{stem}_u{part}[{unit_of(name)}]" in columns:
-                continue
             title = f"{owner}{dot}{stem}" + (", displacement" if part.startswith("u") else "")
         else:
             title = owner
@@ -130,6 +130,12 @@ def is_place(name):
     """A component of a position: its change from the start is what is looked at."""
     stem, _, part = plain(name).rpartition("_")
     return unit_of(name) == "m" and part in ("x", "y", "z") and bool(stem)
+
+
+def is_told_by_a_displacement(name, columns):
+    """Of a point's place its change is a column of its own."""
+    stem, _, part = plain(name).rpartition("_")
+    return part in ("x", "y", "z") and f"{stem}_u{part}[{unit_of(name)}]" in columns
 
 
 def is_the_whole(columns, name):

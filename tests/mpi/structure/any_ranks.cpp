@@ -3,6 +3,8 @@
 // restarts, and faces that something outside moves.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "structure/lammps/effects/prescribed_motion/motion_law.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
@@ -196,6 +198,78 @@ TEST(PrescribedMotion, MovedFacesFollowTheirCourse) {
     const Formula zero;
     expect_faces_follow(
         FormulaMotion{{zero, Formula{"", "0.05e-3*(1-cos(pi*t/0.03))"}, zero}});
+}
+
+// The end of the strip turns by 40 degrees and back about an axis beside it, skew to all
+// axes of space: its nodes lie where the exact turn brings them, by Rodrigues' formula
+// with the angle at the end, and move and are accelerated as it says.
+void expect_face_turns(const MotionCourse& turn, double (*angle_rad)(double time_s)) {
+    const auto& turning = std::get<TurningMotion>(turn);
+    LammpsInput input = test::bare_strip();
+    input.bodies[0].clamps = {"x_max"};
+    input.motions = {{0, {"x_max"}, turn}};
+    constexpr int steps = 3000;
+    const double time_s = steps * input.time_step_s;
+    test::Run run(input);
+    const auto start = run.gather("x");
+    run.steps(steps);
+    const auto x = run.gather("x");
+    const auto v = run.gather("v");
+    const Vec3 k = turning.axis / norm(turning.axis);
+    const double a = angle_rad(time_s);
+    ASSERT_GT(std::abs(a), 0.1);
+    constexpr double apart_s = 1e-6;
+    const double rate =
+        (angle_rad(time_s + apart_s) - angle_rad(time_s - apart_s)) / (2 * apart_s);
+    const double gain =
+        (angle_rad(time_s + apart_s) - 2 * a + angle_rad(time_s - apart_s)) /
+        (apart_s * apart_s);
+    for (const int node : input.bodies[0].mesh.faces.at("x_max")) {
+        const auto at = [&](const std::vector<double>& all) {
+            return vector_at(all.data() + 3 * static_cast<std::size_t>(node));
+        };
+        const Vec3 arm = at(start) - turning.about_m;
+        const Vec3 now = std::cos(a) * arm + std::sin(a) * cross(k, arm) +
+                         (1 - std::cos(a)) * dot(k, arm) * k;
+        const Vec3 expected = turning.about_m + now;
+        const Vec3 speed = cross(rate * k, now);
+        const Vec3 acceleration =
+            cross(gain * k, now) + cross(rate * k, cross(rate * k, now));
+        const Vec3 found = node_acceleration_m_s2(turn, at(x), time_s);
+        for (std::size_t d = 0; d < 3; ++d) {
+            // Roundings of the place and of the angle in each step.
+            EXPECT_NEAR(at(x)[d], expected[d], 2 * rounding_m);
+            // Differences over 1 us: of the rate by 1e-6 of 100 rad/s at arms of 5 mm, of
+            // the acceleration by the rounding of the angle, 1e-16 / 1e-12 s2.
+            EXPECT_NEAR(at(v)[d], speed[d], 1e-6);
+            EXPECT_NEAR(found[d], acceleration[d], 1e-4 * norm(acceleration) + 1e-5);
+        }
+    }
+}
+
+TEST(PrescribedMotion, TurnedFacesFollowTheExactRotation) {
+    const Vec3 axis{1, 2, -0.5}, about_m{4e-3, -0.3e-3, 0.5e-3};
+    const AngleOscillation swing{0.35, 40, -std::numbers::pi / 2};
+    expect_face_turns(TurningMotion{axis, about_m, swing}, [](double t) {
+        return 0.35 * (1 - std::cos(2 * std::numbers::pi * 40 * t));
+    });
+    expect_face_turns(TurningMotion{axis, about_m, Formula{"", "1+0.7*sin(60*t)"}},
+                      [](double t) { return 0.7 * std::sin(60 * t); });
+}
+
+TEST(PrescribedMotion, OfATurnIsReadAsItIsWritten) {
+    for (const char* angle : {"oscillation 0.5 25 -1.5", "angle 0.5*sin(t)"}) {
+        const std::string text = std::string("turning 0 1 0 0.25 0 0.5 ") + angle;
+        std::vector<std::string> words;
+        for (std::istringstream in(text); in >> words.emplace_back();) {
+        }
+        words.pop_back();
+        EXPECT_EQ(motion_words(motion_from(words)), text);
+        words.pop_back();
+        EXPECT_THROW(motion_from(words), std::invalid_argument);
+    }
+    EXPECT_THROW(motion_from({"turning", "0", "0", "0", "0", "0", "0", "angle", "t"}),
+                 std::invalid_argument);
 }
 
 TEST(PrescribedMotion, ABodyComesAlongWithItsFace) {

@@ -35,6 +35,7 @@ Summary diverged_run() {
     structure.add(StructureSummary{108, 33.5, 6, 72, {}});
     ParticipantReport fluid;
     fluid.name = "fluid";
+    fluid.processor_s = 2.75;
     fluid.load = {.ranks = 2, .working_s = 1.25, .waiting_s = 0.125, .imbalance = 1.5};
     fluid.tasks = {{"stream", 1.0}, {"exchange", 0.25}};
     fluid.waiting = {{"exchange", 0.125}};
@@ -74,6 +75,7 @@ TEST(Summary, has_the_keys_that_readers_rely_on) {
     EXPECT_EQ(json["fluid"]["mlups"], 88.5);
     EXPECT_EQ(json["fluid"]["relaxation_time"], 0.5015);
     EXPECT_EQ(json["memory_bytes"]["structure"], 50000000);
+    EXPECT_EQ(json["processor_s"]["fluid"], 2.75);
     EXPECT_EQ(json["probes"]["robot.bend[rad]"], 0.5);
     EXPECT_EQ(json["extra"]["restarted_at_step"], 3);
 }

@@ -164,6 +164,12 @@ TEST(Formula, reaches_sources_and_motions) {
     EXPECT_NEAR(value(*system.coils[0].current), 0, 1e-14);
     const auto& motion = s.bodies[0].prescribed_motion[0];
     EXPECT_NEAR(value(std::get<FormulaMotion>(motion.course).component_m[2]), 0, 1e-17);
+    const auto& turning =
+        std::get<TurningMotion>(s.bodies[0].prescribed_motion[1].course);
+    EXPECT_EQ(turning.about_m, (Vec3{4e-3, 0.5e-3, 0.25e-3}));
+    // A quarter of a period: 3 deg.
+    EXPECT_NEAR(structure::value_at(std::get<Formula>(turning.angle).si, 0.5e-3), pi / 60,
+                1e-16);
 }
 
 TEST(Formula, of_a_source_or_a_motion_that_cannot_be_is_refused) {
@@ -188,6 +194,12 @@ TEST(Formula, of_a_source_or_a_motion_that_cannot_be_is_refused) {
     const std::string motion = "bodies.strip.prescribed_motion.0.formula.";
     says(motion + "z=1/t*1 mm*1 s", {"infinite at t = 0 s"});
     says(motion + "z=2 s", {"a time; allowed a length"});
+    const std::string turning = "bodies.strip.prescribed_motion.1.turning.";
+    says(turning + "angle=1/(1 ms - t)*1 ms*1 rad", {"infinite at t = 1 ms"});
+    says(turning + "angle=2 mm", {"a length; allowed an angle"});
+    says(turning + "axis=[0, 0, 0]", {"an axis of length 0"});
+    says(turning + "oscillation={amplitude: 1 deg, frequency: 1 Hz}",
+         {"angle", "oscillation"});
 }
 
 }  // namespace

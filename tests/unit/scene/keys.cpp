@@ -78,7 +78,7 @@ TEST(Keys, of_rollers_and_integrals) {
     EXPECT_EQ(rollers[1].faces, (std::vector<std::string>{"y_min"}));
     EXPECT_EQ(rollers[1].axis, 1);
     const auto& motions = s.bodies[0].prescribed_motion;
-    ASSERT_EQ(motions.size(), 2u);
+    ASSERT_EQ(motions.size(), 3u);
     EXPECT_EQ(motions[0].faces, (std::vector<std::string>{"x_max"}));
     const auto& wave = std::get<Oscillation>(motions[0].course);
     EXPECT_EQ(wave.amplitude_m, (Vec3{0.5e-3, 0, 0}));
@@ -87,6 +87,13 @@ TEST(Keys, of_rollers_and_integrals) {
     const auto& ramp = std::get<DisplacementRamp>(motions[1].course);
     EXPECT_EQ(ramp.displacement_m, (Vec3{0, 0, 1e-3}));
     EXPECT_EQ(ramp.duration_s, 0.2);
+    const auto& turning = std::get<TurningMotion>(motions[2].course);
+    EXPECT_EQ(turning.axis, (Vec3{0, 2, 0}));
+    EXPECT_EQ(turning.about_m, (Vec3{1e-3, 2e-3, 3e-3}));
+    const auto& swing = std::get<AngleOscillation>(turning.angle);
+    EXPECT_EQ(swing.amplitude_rad, pi / 4);
+    EXPECT_EQ(swing.frequency_hz, 25);
+    EXPECT_EQ(swing.phase_rad, pi / 2);
     const auto integrals = complete("swimmer.yaml").probes->integrals;
     ASSERT_EQ(integrals.size(), 2u);
     EXPECT_EQ(integrals[0].name, "all");

@@ -31,7 +31,8 @@ def value(run, norm):
     return float(norms.one_number(norm.norm, course)), float(np.abs(course).max())
 
 
-def _vector(column):
+def vector_of(column):
+    """One name for the components of a vector."""
     return re.sub(r"_(u?)[xyz]\[", r"_\1[", column)
 
 
@@ -43,9 +44,9 @@ def _present(run):
             found[column] = value(run, norm_of(column, "final"))[1]
     largest = {}
     for column, size in found.items():
-        key = _vector(column)
+        key = vector_of(column)
         largest[key] = max(largest.get(key, 0), size)
-    return [c for c, size in found.items() if size > NOTHING * largest[_vector(c)]]
+    return [c for c, size in found.items() if size > NOTHING * largest[vector_of(c)]]
 
 
 def chosen(run, wanted):

@@ -148,7 +148,7 @@ class Scene:
         if "equilibrium" in scene["time"]:
             return out
         every = scene["probes"]["every"] if "probes" in scene else end
-        period = _period(scene)
+        period = period_of(scene)
         wanted = [(end * f, f"1/{round(1 / f)} of the run") for f in FRACTIONS[1:]]
         if period and period < end:  # parts of whole periods, or of less than one
             whole = [int(end / period * (1 - 1e-9) * f) for f in FRACTIONS]
@@ -162,7 +162,7 @@ class Scene:
         return out
 
 
-def _period(scene):
+def period_of(scene):
     """Of the field or of a motion; None without."""
     field_ = scene.get("magnetic_field", {})
     if field_.get("table", {}).get("repeat"):
@@ -171,8 +171,9 @@ def _period(scene):
         return 1 / abs(field_["rotation"]["frequency"] or math.inf) or None
     for body in scene.get("bodies", {}).values():
         for motion in body.get("prescribed_motion", []):
-            if "oscillation" in motion:
-                return 1 / motion["oscillation"]["frequency"]
+            course = motion.get("turning", motion)
+            if "oscillation" in course:
+                return 1 / course["oscillation"]["frequency"]
     return None
 
 

@@ -22,8 +22,13 @@ def as_json(value):
     return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")
 
 
-def _hash(text):
+def hash_of(text):
+    """Of a script or a style, for the policy that allows it."""
     return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+
+
+def style():
+    return (HERE / "page.css").read_text()
 
 
 def _library():
@@ -36,12 +41,12 @@ def _library():
 
 def _filled(title, data, scripts, more_policy=""):
     """Only the page's own script and style act: their hashes are in its policy."""
-    style = (HERE / "page.css").read_text()
+    css = style()
     maps = {kind: packed(colour_table(kind), "u1") for kind in MAPS}
     script = "\n" + "\n".join(['"use strict";', _library(), f"const MAPS = {json.dumps(maps)};",
                                *((HERE / name).read_text() for name in scripts)])
-    parts = {"TITLE": html.escape(title), "STYLE": style, "SCRIPTS": script, "DATA": data,
-             "POLICY": f"style-src {_hash(style)}; script-src {_hash(script)}{more_policy}"}
+    parts = {"TITLE": html.escape(title), "STYLE": css, "SCRIPTS": script, "DATA": data,
+             "POLICY": f"style-src {hash_of(css)}; script-src {hash_of(script)}{more_policy}"}
     template = (HERE / "page.html").read_text()
     # In one pass: what is put in may hold such a word itself.
     pieces = template.split("@@")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """How far a run is from the reference: one number."""
+import functools
 import math
 
 import numpy as np
@@ -23,10 +24,18 @@ def check_probes(study, run):
                                  "a column of probes.csv: " + ", ".join(names[1:]))
 
 
+@functools.lru_cache(2)
+def _table(path, written_ns, size):
+    """Read once for all norms of a run, until it is written again."""
+    return runs.read_table(path, float)
+
+
 def _columns(run, norm):
     """Times, and a row of values for each of the norm's terms."""
+    path = run.folder / "probes.csv"
     try:
-        probes = runs.read_table(run.folder / "probes.csv", float)
+        state = path.stat()
+        probes = _table(path, state.st_mtime_ns, state.st_size)
     except (OSError, ValueError) as error:
         raise NoError("the run left no probes.csv") from error
     for _, name in norm.terms:

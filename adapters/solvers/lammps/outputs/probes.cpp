@@ -101,9 +101,11 @@ void Probes::add_supports(const NodalState& state,
         for (std::size_t n = 0; n < nodes; ++n) support_n[n] = -force_n[first + n];
         for (const structure::PrescribedMotion& motion : run_.input.motions) {
             if (motion.body != b) continue;
-            const auto a = structure::acceleration_m_s2(motion.course, time_s);
             for (const int node : structure::moved_nodes(run_.input.bodies[b], motion))
-                support_n[node] += state.mass_kg[first + node] * a;
+                support_n[node] +=
+                    state.mass_kg[first + node] *
+                    structure::node_acceleration_m_s2(
+                        motion.course, state.position_m[first + node], time_s);
         }
         first += nodes;
     }

@@ -6,6 +6,39 @@
 
 namespace magfsi::structure {
 
+// "turning", the axis, its point, then the angle's law: "oscillation" with three numbers,
+// or "angle" with a formula.
+template <>
+struct LawWords<TurningMotion> {
+    static std::string words(const TurningMotion& turning) {
+        std::string out =
+            fmt::format("turning {:.17g} {:.17g} ", fmt::join(turning.axis, " "),
+                        fmt::join(turning.about_m, " "));
+        if (const auto* o = std::get_if<AngleOscillation>(&turning.angle))
+            return out + fmt::format("oscillation {:.17g} {:.17g} {:.17g}",
+                                     o->amplitude_rad, o->frequency_hz, o->phase_rad);
+        return out + "angle " + std::get<Formula>(turning.angle).si;
+    }
+    static std::string usage() {
+        return "turning has 6 numbers, then oscillation and 3 or angle and a formula";
+    }
+    static std::optional<TurningMotion> read_words(std::span<const std::string> words) {
+        if (words.size() < 9 || words[0] != "turning") return {};
+        const auto place = numbers_of(words.subspan(1, 6));
+        TurningMotion out{vector_at(place.data()), vector_at(place.data() + 3), {}};
+        const auto angle = words.subspan(8);
+        if (words[7] == "angle" && angle.size() == 1) {
+            out.angle = formula_of(angle[0]);
+        } else if (words[7] == "oscillation" && angle.size() == 3) {
+            const auto numbers = numbers_of(angle);
+            out.angle = AngleOscillation{numbers[0], numbers[1], numbers[2]};
+        } else {
+            return {};
+        }
+        return out;
+    }
+};
+
 namespace {
 
 void check(const Oscillation& o) {
@@ -18,6 +51,13 @@ void check(const DisplacementRamp& r) {
 
 // A formula is checked as it is read.
 void check(const FormulaMotion&) {}
+
+void check(const TurningMotion& turning) {
+    if (!(norm(turning.axis) > 0)) refuse("a turn needs an axis with a direction");
+    if (const auto* o = std::get_if<AngleOscillation>(&turning.angle);
+        o && !(o->frequency_hz > 0))
+        refuse("an oscillation needs a frequency above zero");
+}
 
 }  // namespace
 

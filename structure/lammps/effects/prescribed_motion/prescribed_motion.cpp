@@ -3,10 +3,12 @@
 // along a course (motion_law.h), starting from their places at step 0. No other fix may
 // integrate these atoms.
 //
-// The fix has no state: each step adds the gain of the course in that step, so that atoms
-// may migrate and runs may continue from positions alone. (LAMMPS's fix move stores every
-// atom's start, refuses reset_timestep, and has no phase and no ramp.)
+// The fix has no state: each step adds the gain of the course in that step (of a turn,
+// that of the angle), so that atoms may migrate and runs may continue from positions
+// alone. (LAMMPS's fix move stores every atom's start, refuses reset_timestep, and has no
+// phase and no ramp.)
 #include "atom.h"
+#include "domain.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"
@@ -33,12 +35,17 @@ class FixMagtticeMotion : public LAMMPS_NS::Fix {
     void final_integrate() override;
 
   private:
-    // Displacement or velocity of the course at the present step, or some steps ago.
-    Vec3 of_course(Vec3 (*what)(const MotionCourse&, double time_s), int steps_ago) const;
+    // Displacement, velocity or turn of the course at the present step, or some steps
+    // ago.
+    template <class Value>
+    Value of_course(Value (*what)(const MotionCourse&, double time_s),
+                    int steps_ago) const;
     // Fails if another fix integrates an atom of the group, which would move twice.
     void refuse_integrated() const;
-    // Sets the velocity of all atoms in the group.
-    void set_velocity(const Vec3& velocity_m_s);
+    // Sets the velocity of all atoms in the group to that of the course.
+    void set_velocity();
+    // Place of an atom without the jumps at periodic sides.
+    Vec3 place_m(int i) const;
 
     MotionCourse course_;
 };
@@ -58,8 +65,9 @@ int FixMagtticeMotion::setmask() {
 }
 
 // The time is derived from the step number, so that it is the same after a restart.
-Vec3 FixMagtticeMotion::of_course(Vec3 (*what)(const MotionCourse&, double time_s),
-                                  int steps_ago) const {
+template <class Value>
+Value FixMagtticeMotion::of_course(Value (*what)(const MotionCourse&, double time_s),
+                                   int steps_ago) const {
     try {
         return what(course_,
                     static_cast<double>(update->ntimestep - steps_ago) * update->dt);
@@ -86,29 +94,42 @@ void FixMagtticeMotion::refuse_integrated() const {
 // Velocities are set before the first forces are evaluated and before ghosts get theirs.
 void FixMagtticeMotion::init() {
     refuse_integrated();
-    set_velocity(of_course(velocity_m_s, 0));
+    set_velocity();
 }
 
 // Forces see the mean velocity of the step, as they do for the atoms that velocity Verlet
 // has moved by half a step.
 void FixMagtticeMotion::initial_integrate(int) {
-    const Vec3 gain = of_course(displacement_m, 0) - of_course(displacement_m, 1);
+    const Vec3 shift = of_course(displacement_m, 0) - of_course(displacement_m, 1);
+    const Turn before = of_course(turn_rad, 1);
+    const Vec3 turn = of_course(turn_rad, 0).vector - before.vector;
     for (int i = 0; i < atom->nlocal; ++i) {
         if ((atom->mask[i] & groupbit) == 0) continue;
+        const Vec3 gain = shift + turned_by_m(turn, place_m(i) - before.about_m);
         add_to(atom->x[i], gain);
+        const Vec3 mean = gain / update->dt;
+        std::copy_n(mean.data(), 3, atom->v[i]);
     }
-    set_velocity(gain / update->dt);
 }
 
 void FixMagtticeMotion::final_integrate() {
-    set_velocity(of_course(velocity_m_s, 0));
+    set_velocity();
 }
 
-void FixMagtticeMotion::set_velocity(const Vec3& velocity_m_s) {
+void FixMagtticeMotion::set_velocity() {
+    const Vec3 linear = of_course(velocity_m_s, 0);
+    const Turn rate = of_course(turn_rate_rad_s, 0);
     for (int i = 0; i < atom->nlocal; ++i) {
-        if ((atom->mask[i] & groupbit) != 0)
-            std::copy_n(velocity_m_s.data(), 3, atom->v[i]);
+        if ((atom->mask[i] & groupbit) == 0) continue;
+        const Vec3 velocity = linear + cross(rate.vector, place_m(i) - rate.about_m);
+        std::copy_n(velocity.data(), 3, atom->v[i]);
     }
+}
+
+Vec3 FixMagtticeMotion::place_m(int i) const {
+    Vec3 place{};
+    domain->unmap(atom->x[i], atom->image[i], place.data());
+    return place;
 }
 
 std::vector<int> moved_ids(const LammpsInput& input, const PrescribedMotion& motion) {

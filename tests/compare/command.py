@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""./magfsi compare called as a user does, in this process; and run folders with given courses."""
+import contextlib
+import io
+import json
+import sys
+import types
+from pathlib import Path
+from unittest import mock
+
+from magfsi import ending, testing
+from magfsi.compare import __main__ as command
+
+SCENE = {"name": "made", "time": {"end": 1.0},
+         "fluid": {"solver": "lbm", "box": [8e-3, 4e-3, 8e-3], "spacing": 1e-3}}
+
+
+def called(*words):
+    out, err, code = io.StringIO(), io.StringIO(), 0
+    with mock.patch.object(sys, "argv", ["magfsi compare", *map(str, words)]), \
+            contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            ending.ended_well(command.main, "magfsi compare", command.REFUSALS)
+        except SystemExit as ended:
+            code = ended.code
+    return types.SimpleNamespace(code=code, out=out.getvalue(), err=err.getvalue())
+
+
+def made(columns, scene=None, summary=None, name="run"):
+    """A run folder with these columns {name: values}; name: of the folder."""
+    folder = Path(testing.new_folder()) / name
+    folder.mkdir()
+    for file, content in (("scene.json", {**SCENE, **(scene or {})}),
+                          ("run.json", [{"command": "by hand"}]),
+                          ("summary.json", {"outcome": "completed", **(summary or {})})):
+        (folder / file).write_text(json.dumps(content))
+    rows = "".join(",".join(f"{value:.17g}" for value in row) + "\n"
+                   for row in zip(*columns.values(), strict=True))
+    (folder / "probes.csv").write_text(",".join(columns) + "\n" + rows)
+    return folder
+
+
+def with_bars(**bars):
+    """Of a summary, as run --error writes it: {probe: bar}, "end" for "body.end[m]"."""
+    return {"accuracy": {"probes": {f"body.{name}[J]": {"norm": "final", "value": 0.0, "bar": bar}
+                                    for name, bar in bars.items()}}}
