@@ -21,6 +21,10 @@ if(TARGET magfsi_openfoam_engine)
   install(TARGETS magfsi_openfoam_engine LIBRARY DESTINATION ${magfsi_home}/lib
     COMPONENT openfoam)
 endif()
+if(TARGET magfsi_openfoam_digest)
+  install(TARGETS magfsi_openfoam_digest LIBRARY DESTINATION ${magfsi_home}/lib
+    COMPONENT openfoam)
+endif()
 
 add_custom_command(OUTPUT ${magfsi_generated}/scene.schema.json
   COMMAND ${CMAKE_COMMAND} -E make_directory ${magfsi_generated}

@@ -107,8 +107,10 @@ struct LostProcess {
 class MpirunMessages {
   public:
     void take(std::string line) {
-        // Open MPI 5 ends its messages with a NUL character.
-        if (std::erase(line, '\0') > 0 && line.empty()) return;
+        // Open MPI 5 ends its messages with a NUL character or, now and then, with an
+        // empty line.
+        const bool had_nul = std::erase(line, '\0') > 0;
+        if (line.empty() && (had_nul || !in_banner_)) return;
         if (line.size() > 40 && line.find_first_not_of('-') == std::string::npos) {
             if (in_banner_)
                 close_banner();

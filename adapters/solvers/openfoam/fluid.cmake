@@ -38,5 +38,16 @@ if(MAGFSI_OPENFOAM)
   target_link_libraries(magfsi_openfoam_engine PRIVATE magfsi_options magfsi_openfoam_headers)
   add_dependencies(magfsi-fluid-openfoam magfsi_openfoam_engine)
   magfsi_cold(magfsi_openfoam_engine)  # the work is in OpenFOAM's libraries
+  # For stock programs (magfsi witness), which load it by LD_PRELOAD.
+  file(STRINGS ${MAGFSI_OPENFOAM_FOLDER}/include/OpenFOAM/OSHA1stream.H overflow REGEX overflow)
+  if(NOT overflow)
+    add_library(magfsi_openfoam_digest MODULE solvers/openfoam/engine/digest_stream.cpp)
+    set_target_properties(magfsi_openfoam_digest PROPERTIES
+      CXX_STANDARD 17 LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+    target_include_directories(magfsi_openfoam_digest SYSTEM PRIVATE ${openfoam_headers})
+    target_compile_definitions(magfsi_openfoam_digest PRIVATE
+      WM_DP WM_LABEL_SIZE=32 NoRepository)
+    add_dependencies(magfsi-fluid-openfoam magfsi_openfoam_digest)
+  endif()
 endif()
 magfsi_cold(magfsi_openfoam_scene magfsi_openfoam_participant magfsi-fluid-openfoam)

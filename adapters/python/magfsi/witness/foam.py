@@ -7,7 +7,11 @@ import subprocess
 
 import numpy as np
 
+from magfsi import runs
+
 PROJECT = "/usr/share/openfoam"  # of Debian's package, which sets no environment
+# With it OpenFOAM 1912 reads function objects also where a newer GCC has built it (digest_stream.cpp).
+DIGEST = runs.BIN.parent / "lib/libmagfsi_openfoam_digest.so"
 # A mesh beyond these no longer gives the order of the schemes: OpenFOAM's own warnings (checkMesh).
 NON_ORTHOGONAL_DEG, SKEWNESS = 75.0, 4.0
 # Of a plane flow with one cell across, whose thickness means nothing.
@@ -32,6 +36,8 @@ def run(program, case):
     if not shutil.which(program):
         raise Failed(f"{program}: not there; install OpenFOAM: apt-get install openfoam")
     environment = {"WM_PROJECT_DIR": PROJECT, **os.environ}
+    if DIGEST.exists():
+        environment["LD_PRELOAD"] = f"{DIGEST} {environment.get('LD_PRELOAD', '')}"
     log = case / f"log.{program}"
     with open(log, "w") as file:
         # In the case's folder: 1912 looks for the tables of moving points from where it is called.
