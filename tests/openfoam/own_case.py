@@ -10,6 +10,7 @@ from pathlib import Path
 
 import stock_case
 from magfsi import testing
+from magfsi.witness import foam
 
 SCENE = """
 name: cavity
@@ -112,7 +113,7 @@ class OwnCase(unittest.TestCase):
         control.write_text(control.read_text().replace("writeFormat binary", "writeFormat ascii"))
         for words in (["reconstructParMesh", "-constant"], ["reconstructPar"],
                       ["foamFormatConvert"]):
-            subprocess.run([*words, "-case", case], env=stock_case.environment(), check=True,
+            subprocess.run([*words, "-case", case], env=foam.environment(), check=True,
                            capture_output=True, timeout=120)
         self.assertAlmostEqual(stock_case.energy(case) / energy[-1], 1, delta=DIGITS)
 
@@ -127,7 +128,7 @@ class OwnCase(unittest.TestCase):
 
     def post_process(self, case):
         subprocess.run(["postProcess", "-func", "mag(U)", "-latestTime", "-case", case],
-                       env=stock_case.environment(), check=True, capture_output=True, timeout=120)
+                       env=foam.environment(), check=True, capture_output=True, timeout=120)
 
 
 if __name__ == "__main__":

@@ -2,13 +2,13 @@
 """The run folder's openfoam/ is a case that the stock programs run by themselves: blockMesh and
 pimpleFoam give the flow that the run gave."""
 
-import os
 import re
 import subprocess
 import unittest
 from pathlib import Path
 
 from magfsi import testing
+from magfsi.witness import foam
 
 FLUID = """
 name: {name}
@@ -55,12 +55,8 @@ DRIVEN = FLUID.format(name="driven", end="100 ms", fluid="""
 BOUND = 1e-6
 
 
-def environment():
-    return {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
-
-
 def run(program, case):
-    done = subprocess.run([program, "-case", case], env=environment(), capture_output=True,
+    done = subprocess.run([program, "-case", case], env=foam.environment(), capture_output=True,
                           text=True, timeout=120)
     if done.returncode != 0:
         raise AssertionError(f"{program}: {done.stdout[-2000:]}{done.stderr}")

@@ -48,6 +48,10 @@ if(MAGFSI_OPENFOAM)
     target_compile_definitions(magfsi_openfoam_digest PRIVATE
       WM_DP WM_LABEL_SIZE=32 NoRepository)
     add_dependencies(magfsi-fluid-openfoam magfsi_openfoam_digest)
+    # Found in the engine before OpenFOAM's, for the scene's own function objects.
+    target_sources(magfsi_openfoam_engine PRIVATE solvers/openfoam/engine/digest_stream.cpp)
+    set_source_files_properties(solvers/openfoam/engine/digest_stream.cpp PROPERTIES
+      SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endif()
 magfsi_cold(magfsi_openfoam_scene magfsi_openfoam_participant magfsi-fluid-openfoam)

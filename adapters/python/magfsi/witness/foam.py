@@ -31,17 +31,22 @@ def stop():
         process.terminate()
 
 
+def environment():
+    """Variables for OpenFOAM's programs."""
+    variables = {"WM_PROJECT_DIR": PROJECT, **os.environ}
+    if DIGEST.exists():
+        variables["LD_PRELOAD"] = f"{DIGEST} {variables.get('LD_PRELOAD', '')}"
+    return variables
+
+
 def run(program, case):
     """What it says, which is in log.PROGRAM as well."""
     if not shutil.which(program):
         raise Failed(f"{program}: not there; install OpenFOAM: apt-get install openfoam")
-    environment = {"WM_PROJECT_DIR": PROJECT, **os.environ}
-    if DIGEST.exists():
-        environment["LD_PRELOAD"] = f"{DIGEST} {environment.get('LD_PRELOAD', '')}"
     log = case / f"log.{program}"
     with open(log, "w") as file:
         # In the case's folder: 1912 looks for the tables of moving points from where it is called.
-        process = subprocess.Popen([program], cwd=case, env=environment, stdout=file,
+        process = subprocess.Popen([program], cwd=case, env=environment(), stdout=file,
                                    stderr=subprocess.STDOUT)
         _under_way.add(process)
         try:
