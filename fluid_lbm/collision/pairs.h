@@ -63,6 +63,16 @@ MAGFSI_INLINE EvenOdd<V> guo_source(const CellState<V>& s) {
     return guo_source<Q>(s.u, s.force, s.uf);
 }
 
+// Trace of the viscous stress: the second moment beyond rho u u and the pressure, with
+// half of the force's part.
+template <bool Forced, class Populations, class V>
+MAGFSI_INLINE V trace_of_stress(const Populations& f, const CellState<V>& s) {
+    const MomentsToSecond<V> m = moments_to_second(f);
+    const V trace = (m.second.xx + m.second.yy + m.second.zz) - m.low.excess - s.ju;
+    if constexpr (Forced) return trace + s.uf;
+    return trace;
+}
+
 // Tag that carries the first direction of a pair.
 template <int Q>
 struct Pair {};

@@ -30,19 +30,20 @@ MAGFSI_INLINE void flow_block(const Real* const* at, std::ptrdiff_t x,
 }
 
 // Writes the populations of a vector of cells at x from their flow, with the third-order
-// moments that follow by recursion.
-template <class V, class Real>
+// moments that follow by recursion, as in the collision.
+template <TraceRate Trace, class V, class Real>
 MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
                                  Real* const* at) {
     const V excess = load<V>(flow[0] + x);
     const V u[3] = {load<V>(flow[1] + x), load<V>(flow[2] + x), load<V>(flow[3] + x)};
-    const Symmetric<V> n{load<V>(flow[4] + x), load<V>(flow[5] + x),
-                         load<V>(flow[6] + x), load<V>(flow[7] + x),
-                         load<V>(flow[8] + x), load<V>(flow[9] + x)};
+    Symmetric<V> n{load<V>(flow[4] + x), load<V>(flow[5] + x), load<V>(flow[6] + x),
+                   load<V>(flow[7] + x), load<V>(flow[8] + x), load<V>(flow[9] + x)};
     const V density = 1.0 + excess;
     const V j[3] = {density * u[0], density * u[1], density * u[2]};
     const Symmetric<V> ruu = outer(j, u);
-    rebuild(LaneCells<V, Real>(at, x), excess, j, add(ruu, n), third_order(u, ruu, n),
+    const Symmetric<V> second = add(ruu, n);
+    if constexpr (Trace == TraceRate::own) add_isotropic(n, -mean_of_trace(n));
+    rebuild(LaneCells<V, Real>(at, x), excess, j, second, third_order(u, ruu, n),
             NoFourthOrder{});
 }
 
@@ -70,7 +71,7 @@ MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
 }
 
 // Writes the populations of a row from their flow.
-template <int Width, class Real>
+template <int Width, TraceRate Trace, class Real>
 MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
                                Real* const* at) {
     // LaneCells::write stores each population in the slot of its opposite, as a collision
@@ -78,7 +79,7 @@ MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
     Real* own[d3q19::directions];
     for (int q = 0; q < d3q19::directions; ++q) own[d3q19::opposite(q)] = at[q];
     const auto block = [&](std::ptrdiff_t x, auto v) MAGFSI_INLINE_LAMBDA {
-        rebuild_block<decltype(v)>(flow, x, own);
+        rebuild_block<Trace, decltype(v)>(flow, x, own);
     };
     in_narrower_vectors<Width>(0, length, block);
 }
