@@ -26,10 +26,10 @@
 // exp(-k^2/2 (4/3 nu + nu_b) t). Short waves, c k t_b >> 1, run at sqrt(5/3) c and decay as
 // exp(-t / (5 t_b)).
 //
-// Most useful value. The slowest wave of a box of length L has k = pi / L. Its decay is
-// fastest at c k t_b = 1; with half of that, t_b = L / (2 pi c) and nu_b = c L / (3 pi), it
-// is 4/5 as fast, short waves decay twice as fast, and the density follows the pressure
-// with half the delay, nu_b / c^2. Then all sound decays to 1/e within 2.4 crossings L / c.
+// Most useful value. The slowest wave of a box between walls L apart has k = pi / L. Its
+// decay is fastest at c k t_b = 1; with half of that, nu_b = c / (3 k), it is 4/5 as fast,
+// short waves decay twice as fast, and the density follows the pressure with half the
+// delay, nu_b / c^2. Then all sound decays to 1/e within 2.4 crossings L / c.
 // The pressure that bodies and walls feel has no delay: it is the sum of density and trace
 // that keeps the flow free of divergence.
 //
@@ -39,8 +39,6 @@
 // 0.15 all stay within 1 for every rate from 0.005 on, and the limits of the other
 // collisions do not move. fitted::least_trace_rate keeps a distance.
 #pragma once
-
-#include <numbers>
 
 #include "base/fitted/constants.h"
 
@@ -58,9 +56,9 @@ constexpr double largest_bulk_viscosity_m2_s(double time_step_s, double spacing_
            time_step_s;
 }
 
-// Bulk viscosity that damps the sound of a box of this length best.
-constexpr double useful_bulk_viscosity_m2_s(double sound_m_s, double length_m) {
-    return sound_m_s * length_m / (3 * std::numbers::pi);
+// Bulk viscosity that damps sound best whose slowest wave has the wave number k [1/m].
+constexpr double useful_bulk_viscosity_m2_s(double sound_m_s, double wave_number_1_m) {
+    return sound_m_s / (3 * wave_number_1_m);
 }
 
 // Rate [1/s] at which the amplitude of a standing wave decays. wave_number_1_m: k.

@@ -17,6 +17,7 @@ struct CellState {
     V ju;           // j . u
     V per_density;  // 1 / density
     V j[3], u[3], force[3], uf;
+    V trace_back;  // w trace_back (c^2 - 1) is added where the trace has its own rate
 };
 
 // The state of cells from the populations that have arrived; force: read only if Forced.

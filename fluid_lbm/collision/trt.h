@@ -25,17 +25,17 @@ struct TwoRelaxationTimes {
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check) {
-        const CellState<V> s = cell_state<Forced>(f, force);
+        CellState<V> s = cell_state<Forced>(f, force);
         check.add(s.ju, s.per_density);
+        if constexpr (Trace == TraceRate::own)
+            s.trace_back =
+                1.5 * (rates.even - rates.bulk) * trace_of_stress<Forced>(f, s);
         const V half_even = 0.5 * rates.even, half_odd = 0.5 * rates.odd;
         V rest = f[0];
         rest += rates.even * (rest_equilibrium(s) - rest);
         if constexpr (Forced) rest += (1.0 - half_even) * rest_source(s);
-        V slack;  // (even - bulk) tr n, times 3/2
-        if constexpr (Trace == TraceRate::own) {
-            slack = 1.5 * (rates.even - rates.bulk) * trace_of_stress<Forced>(f, s);
-            rest -= constant<V>(d3q19::weight_rest) * slack;
-        }
+        if constexpr (Trace == TraceRate::own)
+            rest -= constant<V>(d3q19::weight_rest) * s.trace_back;
         f.write(0, rest);
         for_each_pair([&]<int Q>(Pair<Q>) MAGFSI_INLINE_LAMBDA {
             const EvenOdd<V> eq = equilibrium<Q>(s);
@@ -49,7 +49,7 @@ struct TwoRelaxationTimes {
                 odd += (1.0 - half_odd) * source.odd;
             }
             if constexpr (Trace == TraceRate::own && d3q19::weight(Q) < d3q19::weight_face)
-                even += constant<V>(d3q19::weight_edge) * slack;  // c^2 is 2
+                even += constant<V>(d3q19::weight_edge) * s.trace_back;  // c^2 is 2
             f.write(Q, first + (even + odd));
             f.write(Q + 1, second + (even - odd));
         });

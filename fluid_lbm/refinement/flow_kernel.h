@@ -36,15 +36,23 @@ MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
                                  Real* const* at) {
     const V excess = load<V>(flow[0] + x);
     const V u[3] = {load<V>(flow[1] + x), load<V>(flow[2] + x), load<V>(flow[3] + x)};
-    Symmetric<V> n{load<V>(flow[4] + x), load<V>(flow[5] + x), load<V>(flow[6] + x),
-                   load<V>(flow[7] + x), load<V>(flow[8] + x), load<V>(flow[9] + x)};
+    const Symmetric<V> n{load<V>(flow[4] + x), load<V>(flow[5] + x),
+                         load<V>(flow[6] + x), load<V>(flow[7] + x),
+                         load<V>(flow[8] + x), load<V>(flow[9] + x)};
     const V density = 1.0 + excess;
     const V j[3] = {density * u[0], density * u[1], density * u[2]};
     const Symmetric<V> ruu = outer(j, u);
-    const Symmetric<V> second = add(ruu, n);
-    if constexpr (Trace == TraceRate::own) add_isotropic(n, -mean_of_trace(n));
-    rebuild(LaneCells<V, Real>(at, x), excess, j, second, third_order(u, ruu, n),
-            NoFourthOrder{});
+    const auto write = [&](const ThirdOrder<V>& third) MAGFSI_INLINE_LAMBDA {
+        rebuild(LaneCells<V, Real>(at, x), excess, j, add(ruu, n), third,
+                NoFourthOrder{});
+    };
+    if constexpr (Trace == TraceRate::own) {
+        Symmetric<V> seen = n;
+        add_isotropic(seen, -mean_of_trace(n));
+        write(third_order(u, ruu, seen));
+    } else {
+        write(third_order(u, ruu, n));
+    }
 }
 
 // Calls use(x, V{}) for vectors of Width cells that fit into the rest of a row from x on,
