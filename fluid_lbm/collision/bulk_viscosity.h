@@ -40,8 +40,10 @@
 // collisions do not move. fitted::least_trace_rate keeps a distance.
 #pragma once
 
-#include "base/fitted/constants.h"
 
+namespace magfsi::fitted {
+inline constexpr double least_trace_rate = 0.01;
+}
 namespace magfsi::fluid {
 
 // Relaxation time tau_b of the trace, in steps.

@@ -23,6 +23,8 @@ constexpr double height = 1e-5;  // of the waves; their steepening is of its ord
 FluidConfig wave(int cells, double tau, double bulk, Collision collision) {
     FluidConfig config = lattice_fluid({cells, 1, 1}, tau, collision);
     config.bulk_viscosity_m2_s = bulk;
+    // Odd rates near 1: slow odd modes lag behind short waves by an error of their own.
+    config.magic_number = 0.1;
     config.initial_pressure = [=](const Vec3& x) {
         return height / 3 * std::cos(2 * pi * x[0] / cells);
     };
@@ -68,73 +70,79 @@ double exact(double k, double nu, double bulk, double time) {
     return w.density;
 }
 
-// Largest difference from the exact course over three periods, over the first height.
-double worst_difference(int cells, double tau, double bulk, Collision collision) {
+// Decay rate of the density of a standing wave: samples of a single damped oscillation
+// obey a(i + 2) = p a(i + 1) - q a(i) with q = exp(-2 rate apart); least squares.
+double decay_rate(int cells, double tau, double bulk, Collision collision) {
     Fluid fluid(MPI_COMM_WORLD, wave(cells, tau, bulk, collision));
-    const double k = 2 * pi / cells, nu = (tau - 0.5) / 3;
-    const int steps = static_cast<int>(3 * cells * std::sqrt(3.0));
-    double worst = 0;
-    for (int i = 1; i <= steps; ++i) {
+    const int apart = cells / 4;
+    std::vector<double> a;
+    for (int i = 1; i <= 8 * cells; ++i) {
         fluid.step();
-        if (i % (steps / 24) == 0)
-            worst = std::max(worst,
-                             std::abs(amplitude(fluid, cells) - exact(k, nu, bulk, i)));
+        // The first period leaves room for what the start from rest has beside the wave.
+        if (i > 2 * cells && i % apart == 0) a.push_back(amplitude(fluid, cells));
     }
-    return worst;
+    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+    for (std::size_t i = 0; i + 2 < a.size(); ++i) {
+        xx += a[i + 1] * a[i + 1];
+        xy -= a[i + 1] * a[i];
+        yy += a[i] * a[i];
+        xz += a[i + 1] * a[i + 2];
+        yz -= a[i] * a[i + 2];
+    }
+    const double q = (xx * yz - xy * xz) / (xx * yy - xy * xy);
+    return -std::log(q) / (2 * apart);
 }
 
 class Sound : public testing::TestWithParam<Collision> {};
 
-// The most useful bulk viscosity, which grows with the box: the same wave on twice as many
-// cells has a quarter of the error. With the formula's 2/9 off by 5 % the difference would
-// be 0.02 on any grid.
+// exp(-k^2/2 (4/3 nu + nu_b) t), the limit of long waves: the same fluid with twice as many
+// cells a wave has a quarter of the error.
 TEST_P(Sound, DecaysByTheFormulaWithSecondOrder) {
+    constexpr double tau = 0.6, bulk = 0.3;
     double last = 0;
-    for (const int cells : {16, 32, 64}) {
-        const double bulk =
-            useful_bulk_viscosity_m2_s(1 / std::sqrt(3.0), 2 * pi / cells);
-        // A viscosity that scales with the box, as the bulk viscosity does.
-        const double now = worst_difference(cells, 0.5 + 0.0003 * cells, bulk, GetParam());
-        std::printf("%3d cells: worst difference %.2e\n", cells, now);
+    for (const int cells : {32, 64, 128}) {
+        const double k = 2 * pi / cells;
+        const double wanted = k * k / 2 * (4.0 / 3 * (tau - 0.5) / 3 + bulk);
+        const double found = decay_rate(cells, tau, bulk, GetParam());
+        const double error = std::abs(found / wanted - 1);
+        std::printf("%3d cells: decay %.4e, formula %.4e, error %.2e\n", cells, found,
+                    wanted, error);
         if (last > 0) {
-            EXPECT_GT(last / now, 3.2) << cells;
+            EXPECT_GT(last / error, 3.5) << cells;
         }
-        last = now;
+        last = error;
     }
-    EXPECT_LT(last, 0.004);
+    EXPECT_LT(last, 0.005);
 }
 
-// The decay by the formula in the viscous regime, c k t_b << 1: exp(-k^2/2 (4/3 nu +
-// nu_b) t). Peaks of the first and the fourth period, 64 cells a wave: within 1 %, which
-// is what the grid leaves (above).
-TEST_P(Sound, DecaysAsAViscousWaveForALongWave) {
+// The most useful bulk viscosity, c k t_b = 1/2: the course of the density over three
+// periods is that of the trace with its memory. On 64 cells the lattice is 0.3 % of the
+// height off, with a bulk viscosity 2 % off it would be twice as much.
+TEST_P(Sound, FollowsTheMemoryOfTheTrace) {
     constexpr int cells = 64;
-    constexpr double tau = 0.52, bulk = 0.1;
+    constexpr double tau = 0.6, k = 2 * pi / cells;
+    const double bulk = useful_bulk_viscosity_m2_s(1 / std::sqrt(3.0), k);
     Fluid fluid(MPI_COMM_WORLD, wave(cells, tau, bulk, GetParam()));
-    const double period = cells * std::sqrt(3.0), k = 2 * pi / cells;
-    double first = 0, fourth = 0;
-    for (int i = 1; i <= 4.2 * period; ++i) {
+    double worst = 0;
+    for (int i = 1; i <= 5 * cells; ++i) {
         fluid.step();
-        const double now = std::abs(amplitude(fluid, cells));
-        if (i > 0.8 * period && i < 1.2 * period) first = std::max(first, now);
-        if (i > 3.8 * period) fourth = std::max(fourth, now);
+        if (i % 16 != 0) continue;
+        const double wanted = exact(k, (tau - 0.5) / 3, bulk, i);
+        worst = std::max(worst, std::abs(amplitude(fluid, cells) - wanted));
     }
-    const double found = std::log(first / fourth) / (3 * period);
-    const double wanted = sound_decay_1_s((tau - 0.5) / 3, bulk, 1 / std::sqrt(3.0), k);
-    std::printf("decay %.4e, formula %.4e\n", found, wanted);
-    EXPECT_NEAR(found / wanted, 1, 0.01);
-    EXPECT_NEAR(wanted / (k * k / 2 * (4.0 / 3 * (tau - 0.5) / 3 + bulk)), 1, 0.003);
+    std::printf("worst difference %.2e of the height\n", worst);
+    EXPECT_LT(worst, 0.005);
 }
 
-// A shear wave: its decay with and without the bulk viscosity differs by rounding and by
-// what the wave's own Bernoulli pressure of second order makes, below 1e-6 of it.
+// A shear wave: its decay with and without the bulk viscosity differs by what its own
+// pressure makes, (u / c)^2 = 3e-6 of it at most.
 TEST_P(Sound, LeavesShearAlone) {
     constexpr int cells = 32;
     double left[2];
     for (const bool own : {false, true}) {
         FluidConfig config = lattice_fluid({cells, 2, 1}, 0.52, GetParam());
         config.initial_velocity = [](const Vec3& x) {
-            return Vec3{0, 0.01 * std::sin(2 * pi * x[0] / cells), 0};
+            return Vec3{0, 0.001 * std::sin(2 * pi * x[0] / cells), 0};
         };
         if (own) config.bulk_viscosity_m2_s = 5;
         Fluid fluid(MPI_COMM_WORLD, config);
@@ -144,7 +152,7 @@ TEST_P(Sound, LeavesShearAlone) {
             left[own] += u[1] * std::sin(2 * pi * (cell[0] + 0.5) / cells);
         });
     }
-    EXPECT_GT(left[0], 0.01);
+    EXPECT_GT(left[0], 0.001);
     EXPECT_NEAR(left[1] / left[0], 1, 1e-6);
 }
 
