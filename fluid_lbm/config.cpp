@@ -7,6 +7,7 @@
 
 #include "base/fitted/constants.h"
 #include "fluid_lbm/boundary/sides.h"
+#include "fluid_lbm/collision/bulk_viscosity.h"
 #include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/obstacle/solid.h"
@@ -32,6 +33,12 @@ Units units(const FluidConfig& config) {
 
 double relaxation_time(const FluidConfig& config) {
     return relaxation_time(config.viscosity_m2_s, config.time_step_s, config.spacing_m);
+}
+
+std::optional<double> trace_relaxation_time(const FluidConfig& config) {
+    if (!config.bulk_viscosity_m2_s) return {};
+    return trace_relaxation_time(*config.bulk_viscosity_m2_s, config.time_step_s,
+                                 config.spacing_m);
 }
 
 std::array<bool, 3> periodic_axes(const FluidConfig& config) {

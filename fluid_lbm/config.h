@@ -46,6 +46,8 @@ struct FluidConfig : Options {
 Units units(const FluidConfig& config);
 // Relaxation time tau of the constant viscosity, in steps.
 double relaxation_time(const FluidConfig& config);
+// Relaxation time of the trace of the stress, in steps; absent without a bulk viscosity.
+std::optional<double> trace_relaxation_time(const FluidConfig& config);
 // True for each axis that is periodic. Only the low side is asked: sides of a periodic
 // axis come in pairs.
 std::array<bool, 3> periodic_axes(const FluidConfig& config);

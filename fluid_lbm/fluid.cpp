@@ -56,6 +56,14 @@ LocalFlow flow_at(const FluidConfig& config, const Vec3& centre_m) {
     return flow;
 }
 
+// Adds `share` of the divergence to the gradient, without change of the rate of strain's
+// other part.
+void scale_divergence(LocalFlow& flow, double share) {
+    auto& g = flow.gradient;
+    const double mean = share * (g[0][0] + g[1][1] + g[2][2]) / 3;
+    for (std::size_t a = 0; a < 3; ++a) g[a][a] += mean;
+}
+
 // Throws std::invalid_argument if a row leaves the rank's box or the number of values
 // does not fit the rows.
 void check_rows(const CellBox& box, std::span<const CellRow> rows, std::size_t values,
@@ -135,9 +143,12 @@ Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
                      ? rates_by_stress(*config.rheology, config.viscosity_m2_s, unit)
                      : std::vector<double>{}),
       parameters{1 / relaxation_time(config), choose_magic_number(config),
-                 config.smagorinsky_constant, rate_table.data()},
-      kernels(choose_kernels(choose_instruction_set(), config.precision,
-                             choose_collision(config), local_viscosity(config))),
+                 config.smagorinsky_constant, rate_table.data(),
+                 1 / trace_relaxation_time(config).value_or(1)},
+      kernels(choose_kernels(
+          choose_instruction_set(), config.precision, choose_collision(config),
+          local_viscosity(config),
+          config.bulk_viscosity_m2_s ? TraceRate::own : TraceRate::viscous)),
       comm(parent),
       decomposition(decompose(config.cells, periodic_axes(config), comm.size)),
       layout(decomposition.layout(comm.rank)),
@@ -182,12 +193,15 @@ void Fluid::State::set_initial_flow() {
     if (!config.initial_velocity && !config.initial_pressure && !config.body_force_n_m3)
         return;
     const double tau = relaxation_time(config);
+    // Compression takes the relaxation time of the trace.
+    const double trace_share = trace_relaxation_time(config).value_or(tau) / tau - 1;
     populations.visit([&]<class Real>(const PopulationRows<Real>& rows) {
         for_each_cell({{0, 0, 0}, {layout.nx, layout.ny, layout.nz}}, [&](const Cell& x) {
             Vec3 centre_m;
             for (int a = 0; a < 3; ++a)
                 centre_m[a] = (owned().lo[a] + x[a] + 0.5) * config.spacing_m;
-            const LocalFlow flow = flow_at(config, centre_m);
+            LocalFlow flow = flow_at(config, centre_m);
+            if (config.bulk_viscosity_m2_s) scale_divergence(flow, trace_share);
             const int row = layout.row(x[1], x[2]);
             for (int q = 0; q < d3q19::directions; ++q)
                 rows.row(q, row)[x[0]] = static_cast<Real>(flow_population(q, flow, tau));

@@ -156,6 +156,8 @@ struct Obstacle {
 struct Options {
     double density_kg_m3 = 0;
     double viscosity_m2_s = 0;  // kinematic viscosity at rest
+    // Kinematic bulk viscosity; absent: what the collision has, 2/3 of the viscosity.
+    std::optional<double> bulk_viscosity_m2_s;
     Collision collision = Collision::automatic;
     // Magic number Lambda of the collisions trt and recursive_mrt; absent: chosen by
     // collision/choice.h.

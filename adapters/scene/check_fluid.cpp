@@ -178,6 +178,8 @@ void check_openfoam(const Fluid& fluid, const Marks& marks) {
     not_there(fluid.smagorinsky_constant > 0, marks.key({"fluid", "smagorinsky"}),
               "smagorinsky");
     not_there(fluid.rheology.has_value(), marks.key({"fluid", "rheology"}), "a rheology");
+    not_there(fluid.bulk_viscosity_m2_s.has_value(),
+              marks.key({"fluid", "bulk_viscosity"}), "a bulk viscosity");
     not_there(fluid.taylor_green.has_value(), marks.key({"fluid", "taylor_green"}),
               "the Taylor-Green vortex");
     for (std::size_t face = 0; face < 6; ++face) {
@@ -206,6 +208,13 @@ void check_rheology(const Fluid& fluid, const Marks& marks) {
                             law->most_m2_s),
                 "least below most");
     }
+}
+
+// Collisions with a single rate have the bulk viscosity that this rate gives.
+void check_bulk_viscosity(const Fluid& fluid, const Marks& marks) {
+    require(fluid.collision != Collision::bgk, marks.key({"fluid", "bulk_viscosity"}),
+            "a bulk viscosity with collision: bgk, which has one rate for all of the stress",
+            "it with another collision", "leave collision out, or bulk_viscosity");
 }
 
 // The margin must leave room for the kernel and for the motion of bodies until the patch
@@ -252,6 +261,7 @@ void check_fluid(const Scene& scene, const Marks& marks) {
     check_sides(fluid, marks);
     if (fluid.taylor_green) check_taylor_green(fluid, marks);
     if (fluid.rheology) check_rheology(fluid, marks);
+    if (fluid.bulk_viscosity_m2_s) check_bulk_viscosity(fluid, marks);
     if (fluid.grading) check_grading(fluid, marks);
     if (fluid.refinement) check_refinement(scene, marks);
     if (fluid.solver == FluidSolver::openfoam) check_openfoam(fluid, marks);

@@ -8,6 +8,7 @@
 
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
+#include "fluid_lbm/collision/bulk_viscosity.h"
 
 namespace magfsi::scene {
 
@@ -105,6 +106,20 @@ void check_relaxation(const Scene& scene, const Marks& marks, double dt_s) {
            advice(scene, dt_s, tau - 0.5, wanted - 0.5));
 }
 
+// The bound is that of the finest level, whose relaxation times are the longest.
+void check_bulk_viscosity(const Scene& scene, const Marks& marks, double dt_s) {
+    const Fluid& fluid = *scene.fluid;
+    const double most_m2_s =
+        fluid::largest_bulk_viscosity_m2_s(dt_s, fluid.finest_spacing_m());
+    require(*fluid.bulk_viscosity_m2_s <= most_m2_s,
+            marks.value({"fluid", "bulk_viscosity"}),
+            fmt::format("a bulk viscosity of {:.4g} mm2/s at steps of {}",
+                        *fluid.bulk_viscosity_m2_s * 1e6, seconds(dt_s)),
+            fmt::format("at most {:.4g} mm2/s, up to which the lattice is stable",
+                        most_m2_s * 1e6),
+            "take less: explain tells the most useful value");
+}
+
 }  // namespace
 
 void check_step(const Scene& scene, const Marks& marks) {
@@ -122,6 +137,7 @@ void check_step(const Scene& scene, const Marks& marks) {
     if (!scene.fluid) return;
     check_speeds(scene, marks, *dt_s);
     check_relaxation(scene, marks, *dt_s);
+    if (scene.fluid->bulk_viscosity_m2_s) check_bulk_viscosity(scene, marks, *dt_s);
 }
 
 std::string fault_of_half_step(const Scene& scene) {

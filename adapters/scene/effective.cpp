@@ -177,6 +177,7 @@ std::vector<Effect> effects_of(const Scene& s) {
          s.coupling && s.coupling->scheme == Scheme::implicit},
         {fluid, "fluid", s.fluid.has_value()},
         {fluid, "body force", s.fluid && s.fluid->body_force_n_m3},
+        {fluid, "bulk viscosity", s.fluid && s.fluid->bulk_viscosity_m2_s},
         {fluid, "eddy viscosity", s.fluid && s.fluid->smagorinsky_constant > 0},
         {fluid, "rheology", s.fluid && s.fluid->rheology},
         {fluid, "moving walls", some_side([](const Boundary& side) {

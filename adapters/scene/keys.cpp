@@ -118,6 +118,10 @@ void keys(Io& io, Probes& probes) {
     io(key("integrals", "Integrals by name, over a plane of the fluid or a part of a body.")
            .optional(), probes.integrals);
     io(key("fluid", "Columns for the fluid.").optional(), probes.fluid);
+    io(key("mean_forces",
+           "If true, the fluid's force on bodies and parts of them is the mean since the last "
+           "row, in columns mean_fluid_force_x[N] and so on; else that over the last step.")
+           .by_default(), probes.mean_forces);
     io(key("interface_balance",
            "If true, columns tell momentum and power given and received at the bodies, "
            "and the impulse to the fluid.").by_default(), probes.interface_balance);

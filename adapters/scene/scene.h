@@ -277,6 +277,9 @@ struct Probes {
     std::vector<PointProbe> points;        // sorted by name
     std::vector<IntegralProbe> integrals;  // sorted by name
     std::vector<FluidQuantity> fluid;
+    // True to give the fluid's forces on bodies as means since the last row, not over the
+    // last step.
+    bool mean_forces = false;
     // True to record the momentum and power exchanged between fluid and bodies at each
     // step.
     bool interface_balance = false;

@@ -192,6 +192,12 @@ inline constexpr double least_magic_number = 0.001;
 // here. The test fails if it falls. Test: coupler_immersed_boundary.
 inline constexpr double usual_lattice_speed = 0.05;
 
+// Least relaxation rate of the trace of the stress, which bounds the bulk viscosity. In
+// uniform flows of up to 0.15 cells a step no wave grows from 0.005 on
+// (collision/bulk_viscosity.h). The test fails if it grows twofold.
+// Test: fluid_sound_1.
+inline constexpr double least_trace_rate = 0.01;
+
 // Factor of the pull of a pressure outlet. From 0.1 to 0.58 sound of a wave length L
 // reflects by a few per cent, and the mean pressure settles in about 4 L / cs steps. The
 // test fails if it is more than doubled. Test: fluid_laws_1.

@@ -12,6 +12,7 @@ namespace magfsi::fluid {
 
 struct Bgk {
     static constexpr Collision kind = Collision::bgk;
+    static constexpr TraceRate trace = TraceRate::viscous;
 
     // Collides the cells of f in place and checks their state. force: force density, read
     // only if Forced.

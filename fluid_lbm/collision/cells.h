@@ -41,7 +41,12 @@ struct CollisionParameters {
     double eddy_constant = 0;  // Smagorinsky's constant C
     // Table of 1 / tau by the stress (shear_dependent.h).
     const double* by_stress = nullptr;
+    double bulk = 1;  // rate of the trace of the stress, for TraceRate::own
 };
+
+// Rate at which the trace of the non-equilibrium stress relaxes: that of the viscosity, or
+// one of its own, which sets the bulk viscosity (bulk_viscosity.h).
+enum class TraceRate { viscous, own };
 
 // Rate of the odd modes that keeps Ginzburg's magic number
 //   Lambda = (1 / even - 1/2) (1 / odd - 1/2),
@@ -71,6 +76,7 @@ struct Rates {
     V even, odd, fourth;  // viscous, odd, and even fourth-order modes
     V magic, eddy_constant;
     const double* by_stress;
+    V bulk;  // trace of the stress, in collisions with TraceRate::own
 };
 
 // The rates of the run's parameters, the same in all lanes.
@@ -82,7 +88,8 @@ MAGFSI_INLINE Rates<V> rates(const CollisionParameters& p) {
             V{} + constant<V>(fourth_rate(p.omega)),
             V{} + constant<V>(p.magic),
             V{} + constant<V>(p.eddy_constant),
-            p.by_stress};
+            p.by_stress,
+            V{} + constant<V>(p.bulk)};
 }
 
 // Largest speed that a cell may reach [cells per step]: above it the lattice's equilibria

@@ -116,6 +116,20 @@ MAGFSI_INLINE Symmetric<V> scaled(const V& s, const Symmetric<V>& a) {
     return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz};
 }
 
+// A third of the trace.
+template <class V>
+MAGFSI_INLINE V mean_of_trace(const Symmetric<V>& a) {
+    return constant<V>(1.0 / 3) * (a.xx + a.yy + a.zz);
+}
+
+// Adds s times the unit tensor.
+template <class V>
+MAGFSI_INLINE void add_isotropic(Symmetric<V>& a, const V& s) {
+    a.xx += s;
+    a.yy += s;
+    a.zz += s;
+}
+
 // Sum of the squares of all nine entries.
 template <class V>
 MAGFSI_INLINE V squared_norm(const Symmetric<V>& a) {

@@ -17,6 +17,7 @@ struct CellState {
     V ju;           // j . u
     V per_density;  // 1 / density
     V j[3], u[3], force[3], uf;
+    V trace_back;  // w trace_back (c^2 - 1) is added where the trace has its own rate
 };
 
 // The state of cells from the populations that have arrived; force: read only if Forced.
@@ -61,6 +62,16 @@ MAGFSI_INLINE EvenOdd<V> equilibrium(const CellState<V>& s) {
 template <int Q, class V>
 MAGFSI_INLINE EvenOdd<V> guo_source(const CellState<V>& s) {
     return guo_source<Q>(s.u, s.force, s.uf);
+}
+
+// Trace of the viscous stress: the second moment beyond rho u u and the pressure, with
+// half of the force's part.
+template <bool Forced, class Populations, class V>
+MAGFSI_INLINE V trace_of_stress(const Populations& f, const CellState<V>& s) {
+    const MomentsToSecond<V> m = moments_to_second(f);
+    const V trace = (m.second.xx + m.second.yy + m.second.zz) - m.low.excess - s.ju;
+    if constexpr (Forced) return trace + s.uf;
+    return trace;
 }
 
 // Tag that carries the first direction of a pair.

@@ -55,13 +55,14 @@ struct ShearDependent {
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check) {
         V per_density;
-        const Symmetric<V> stress = viscous_stress<Forced>(f, force, per_density);
+        const Symmetric<V> stress = viscous_stress<Forced, Base::trace>(f, force, per_density);
         const V q = squared_norm(stress) * per_density * per_density;
         V even;
         for (int i = 0; i < lanes<V>; ++i)
             even[i] = static_cast<Lane<V>>(rate_at(rates.by_stress, q[i]));
         const Rates<V> here{even,        odd_rate(even, rates.magic), fourth_rate(even),
-                            rates.magic, rates.eddy_constant,         nullptr};
+                            rates.magic, rates.eddy_constant,         nullptr,
+                            rates.bulk};
         Base::template collide<Forced>(f, force, here, check);
     }
 };

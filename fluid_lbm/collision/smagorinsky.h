@@ -27,8 +27,9 @@ MAGFSI_INLINE V square_root(const V& a) {
 }
 
 // Viscous stress: the non-equilibrium stress plus, in forced rows, half of u F + F u
-// (Guo). per_density receives 1 / density.
-template <bool Forced, class V, class Real>
+// (Guo). Where the trace has a rate of its own it is left out: it tells the rate of
+// compression, not of strain. per_density receives 1 / density.
+template <bool Forced, TraceRate Trace, class V, class Real>
 MAGFSI_INLINE Symmetric<V> viscous_stress(const LaneCells<V, Real>& f,
                                           const V (&force)[3], V& per_density) {
     MomentsToSecond<V> all = moments_to_second(f);
@@ -36,8 +37,9 @@ MAGFSI_INLINE Symmetric<V> viscous_stress(const LaneCells<V, Real>& f,
     if constexpr (Forced) shift_momentum(m, force);
     per_density = 1.0 / (1.0 + m.excess);
     const V u[3] = {m.j[0] * per_density, m.j[1] * per_density, m.j[2] * per_density};
-    const Symmetric<V> n = nonequilibrium(all, outer(m.j, u));
-    if constexpr (Forced) return add(n, half_force_stress(u, force));
+    Symmetric<V> n = nonequilibrium(all, outer(m.j, u));
+    if constexpr (Forced) n = add(n, half_force_stress(u, force));
+    if constexpr (Trace == TraceRate::own) add_isotropic(n, -mean_of_trace(n));
     return n;
 }
 
@@ -51,7 +53,7 @@ struct Smagorinsky {
                                       const Rates<V>& rates, CellCheck<V>& check) {
         constexpr double sqrt_2 = 1.4142135623730951;
         V per_density;
-        const Symmetric<V> stress = viscous_stress<Forced>(f, force, per_density);
+        const Symmetric<V> stress = viscous_stress<Forced, Base::trace>(f, force, per_density);
         const V c2 = rates.eddy_constant * rates.eddy_constant;
         // The equation for tau, multiplied by even^2, so that one division gives the new
         // rate.
@@ -60,7 +62,8 @@ struct Smagorinsky {
                                      per_density * square_root(squared_norm(stress)));
         const V even = 2.0 * rates.even / (1.0 + root);
         const Rates<V> raised{even,        odd_rate(even, rates.magic), fourth_rate(even),
-                              rates.magic, rates.eddy_constant,         nullptr};
+                              rates.magic, rates.eddy_constant,         nullptr,
+                              rates.bulk};
         Base::template collide<Forced>(f, force, raised, check);
     }
 };

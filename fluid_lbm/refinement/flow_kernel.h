@@ -30,8 +30,8 @@ MAGFSI_INLINE void flow_block(const Real* const* at, std::ptrdiff_t x,
 }
 
 // Writes the populations of a vector of cells at x from their flow, with the third-order
-// moments that follow by recursion.
-template <class V, class Real>
+// moments that follow by recursion, as in the collision.
+template <TraceRate Trace, class V, class Real>
 MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
                                  Real* const* at) {
     const V excess = load<V>(flow[0] + x);
@@ -42,8 +42,17 @@ MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
     const V density = 1.0 + excess;
     const V j[3] = {density * u[0], density * u[1], density * u[2]};
     const Symmetric<V> ruu = outer(j, u);
-    rebuild(LaneCells<V, Real>(at, x), excess, j, add(ruu, n), third_order(u, ruu, n),
-            NoFourthOrder{});
+    const auto write = [&](const ThirdOrder<V>& third) MAGFSI_INLINE_LAMBDA {
+        rebuild(LaneCells<V, Real>(at, x), excess, j, add(ruu, n), third,
+                NoFourthOrder{});
+    };
+    if constexpr (Trace == TraceRate::own) {
+        Symmetric<V> seen = n;
+        add_isotropic(seen, -mean_of_trace(n));
+        write(third_order(u, ruu, seen));
+    } else {
+        write(third_order(u, ruu, n));
+    }
 }
 
 // Calls use(x, V{}) for vectors of Width cells that fit into the rest of a row from x on,
@@ -70,7 +79,7 @@ MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
 }
 
 // Writes the populations of a row from their flow.
-template <int Width, class Real>
+template <int Width, TraceRate Trace, class Real>
 MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
                                Real* const* at) {
     // LaneCells::write stores each population in the slot of its opposite, as a collision
@@ -78,7 +87,7 @@ MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
     Real* own[d3q19::directions];
     for (int q = 0; q < d3q19::directions; ++q) own[d3q19::opposite(q)] = at[q];
     const auto block = [&](std::ptrdiff_t x, auto v) MAGFSI_INLINE_LAMBDA {
-        rebuild_block<decltype(v)>(flow, x, own);
+        rebuild_block<Trace, decltype(v)>(flow, x, own);
     };
     in_narrower_vectors<Width>(0, length, block);
 }

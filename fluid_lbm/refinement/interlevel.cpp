@@ -23,7 +23,10 @@ Weights cubic_at(double at, int lo, int hi) {
 Scales to_fine(const Level& coarse, const Level& fine) {
     const FluidConfig& c = coarse.fluid.config();
     const FluidConfig& f = fine.fluid.config();
-    Scales scales{relaxation_time(f) / (2 * relaxation_time(c)), {}};
+    Scales scales{relaxation_time(f) / (2 * relaxation_time(c)), 1, {}};
+    if (c.bulk_viscosity_m2_s)
+        scales.trace = *trace_relaxation_time(f) / (2 * *trace_relaxation_time(c)) /
+                       scales.stress;
     if (!c.body_force_n_m3) return scales;
     scales.velocity =
         *c.body_force_n_m3 * (1 / units(c).force_n_m3() - 1 / units(f).force_n_m3()) / 2;
@@ -40,6 +43,20 @@ void apply(const Scales& scales, double sign, double* flow, std::size_t count) {
     double* stress = flow + first_stress * count;
     for (std::size_t i = 0; i < (numbers_between_levels - first_stress) * count; ++i)
         stress[i] *= factor;
+    if (scales.trace != 1)
+        scale_trace(sign > 0 ? scales.trace : 1 / scales.trace, stress, count);
+}
+
+void scale_trace(double factor, double* stress, std::size_t count) {
+    double* const xx = stress;
+    double* const yy = xx + count;
+    double* const zz = yy + count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double more = (factor - 1) / 3 * (xx[i] + yy[i] + zz[i]);
+        xx[i] += more;
+        yy[i] += more;
+        zz[i] += more;
+    }
 }
 
 }  // namespace magfsi::fluid

@@ -7,7 +7,8 @@
 //
 // Velocity and density are the same on both sides. With half the step on half the
 // spacing,
-//   tau_f - 1/2 = 2 (tau_c - 1/2),   stress_f = stress_c tau_f / (2 tau_c).
+//   tau_f - 1/2 = 2 (tau_c - 1/2),   stress_f = stress_c tau_f / (2 tau_c),
+// and the same for the trace of the stress with its own relaxation times, if it has them.
 #pragma once
 
 #include <array>
@@ -36,6 +37,7 @@ Weights cubic_at(double at, int lo, int hi);
 // difference.
 struct Scales {
     double stress = 1;
+    double trace = 1;  // of the stress: factor beside `stress`
     Vec3 velocity{};
 };
 // The scales between a level and the next finer one.
@@ -43,5 +45,8 @@ Scales to_fine(const Level& coarse, const Level& fine);
 // Applies the scales to `flow`, ten arrays of `count` values one after the other. sign: 1
 // from the coarse to the fine level, -1 back.
 void apply(const Scales& scales, double sign, double* flow, std::size_t count);
+// Multiplies the trace of the stress by a factor; the rest of the stress stays. stress: six
+// arrays of `count` values, the diagonal first.
+void scale_trace(double factor, double* stress, std::size_t count);
 
 }  // namespace magfsi::fluid

@@ -301,13 +301,13 @@ void Prolongation::run(const Level& coarse, Level& fine) {
         });
     for (Piece& piece : pieces_) {
         piece.extend_into_solids();
-        interpolate(piece, scales.stress, fine);
+        interpolate(piece, scales, fine);
     }
     fine.reset_solid_cells();
 }
 
 // Interpolates a box: along z by planes, then across the lines, then along them.
-void Prolongation::interpolate(const Piece& piece, double stress_scale,
+void Prolongation::interpolate(const Piece& piece, const Scales& scales,
                                const Level& fine) {
     const View view = fine.state().view();
     const CellBox& box = piece.fine;
@@ -331,11 +331,13 @@ void Prolongation::interpolate(const Piece& piece, double stress_scale,
                 plane_.data() +
                 static_cast<std::size_t>(w.first - c.lo[piece.other]) * line_.size();
             std::array<double, points> of_stress = w.of;
-            for (double& weight : of_stress) weight *= stress_scale;
+            for (double& weight : of_stress) weight *= scales.stress;
             const std::size_t flow_size = first_stress * n;
             combine(w.of, first, line_.size(), flow_size, line_.data());
             combine(of_stress, first + flow_size, line_.size(), line_.size() - flow_size,
                     line_.data() + flow_size);
+            if (scales.trace != 1)
+                scale_trace(scales.trace, line_.data() + flow_size, n);
             double* row = row_.data() + (piece.line == 0 ? 0 : other * numbers * length);
             for (std::size_t i = 0; i < numbers; ++i)
                 expand(line_.data() + i * n, piece.expansion, row + i * length);

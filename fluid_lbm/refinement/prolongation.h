@@ -64,7 +64,7 @@ class Prolongation {
         // Gives these cells their numbers.
         void extend_into_solids();
     };
-    void interpolate(const Piece& piece, double stress_scale, const Level& fine);
+    void interpolate(const Piece& piece, const Scales& scales, const Level& fine);
 
     std::vector<Piece> pieces_;
     CellTransfer transfer_;

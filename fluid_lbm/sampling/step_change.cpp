@@ -57,6 +57,9 @@ StepChange step_change(const FluidConfig& config, double old_step_s) {
     StepChange change;
     change.velocity = config.time_step_s / old_step_s;
     change.stress = relaxation_time(config) / relaxation_time(before) * change.velocity;
+    if (config.bulk_viscosity_m2_s)
+        change.trace = *trace_relaxation_time(config) / *trace_relaxation_time(before) *
+                       change.velocity / change.stress;
     if (!config.body_force_n_m3) return change;
     change.momentum = half_body_force(config) * (1 / change.velocity - 1);
     return change;
@@ -75,6 +78,11 @@ void change_step(const StepChange& change, std::span<double> values) {
             flow.velocity[a] = flow.velocity[a] * change.velocity +
                                change.momentum[a] / (1 + flow.density_excess);
             for (int b = 0; b < 3; ++b) stress[a][b] *= denser * change.stress;
+        }
+        if (change.trace != 1) {
+            const double more =
+                (change.trace - 1) / 3 * (stress[0][0] + stress[1][1] + stress[2][2]);
+            for (std::size_t a = 0; a < 3; ++a) stress[a][a] += more;
         }
         rebuild(flow, stress, f);
     }

@@ -23,6 +23,7 @@ namespace magfsi::fluid {
 struct StepChange {
     double velocity = 1;  // new time step over the old one
     double stress = 1;    // new tau dt over the old one
+    double trace = 1;     // of the stress: factor beside `stress`
     // Change of momentum: populations lack half a step of the body force (Guo), and that
     // half changes with the step.
     Vec3 momentum{};

@@ -36,30 +36,43 @@ void flow(const Real* const* at, std::ptrdiff_t length, double* const* flow,
         flow_row<width, false>(at, length, flow, ahead);
 }
 
-template <class Real>
+template <class Real, TraceRate Trace>
 void rebuild(const double* const* flow, std::ptrdiff_t length, Real* const* at) {
-    rebuild_row<vector_bytes / sizeof(double)>(flow, length, at);
+    rebuild_row<vector_bytes / sizeof(double), Trace>(flow, length, at);
 }
 
-template <class Real, class C>
+template <class Real, class C, TraceRate Trace>
 constexpr RowKernels<Real> row_kernels_of() {
     return {collide<Real, C, false>, collide<Real, C, true>, sample<Real>, flow<Real>,
-            rebuild<Real>};
+            rebuild<Real, Trace>};
 }
 
+// A collision with one rate for all of the stress.
 template <class Real, class C>
 constexpr CollisionKernels<Real> kernels_of() {
+    constexpr TraceRate trace = C::trace;
     return {C::kind,
-            {row_kernels_of<Real, C>(), row_kernels_of<Real, Smagorinsky<C>>(),
-             row_kernels_of<Real, ShearDependent<C>>()}};
+            {row_kernels_of<Real, C, trace>(),
+             row_kernels_of<Real, Smagorinsky<C>, trace>(),
+             row_kernels_of<Real, ShearDependent<C>, trace>()},
+            {}};
+}
+// A collision whose trace may have a rate of its own.
+template <class Real, template <TraceRate> class C>
+constexpr CollisionKernels<Real> kernels_with_bulk() {
+    CollisionKernels<Real> kernels = kernels_of<Real, C<TraceRate::viscous>>();
+    const CollisionKernels<Real> own = kernels_of<Real, C<TraceRate::own>>();
+    for (int i = 0; i < 3; ++i) kernels.with_bulk[i] = own.by_viscosity[i];
+    return kernels;
 }
 
 // Table of all collisions. A new collision takes a header like bgk.h, an enumerator with
 // its word in options.h, and its name in this list.
 template <class Real>
 constexpr KernelTable<Real> table() {
-    return {{kernels_of<Real, Bgk>(), kernels_of<Real, TwoRelaxationTimes>(),
-             kernels_of<Real, RecursiveRegularized>(), kernels_of<Real, RecursiveMrt>()}};
+    return {{kernels_of<Real, Bgk>(), kernels_with_bulk<Real, TwoRelaxationTimes>(),
+             kernels_with_bulk<Real, RecursiveRegularized>(),
+             kernels_with_bulk<Real, RecursiveMrt>()}};
 }
 
 }  // namespace

@@ -55,6 +55,9 @@ template <class Real>
 struct CollisionKernels {
     Collision kind = Collision::automatic;
     RowKernels<Real> by_viscosity[3];  // in the order of LocalViscosity
+    // The same with a rate of its own for the trace of the stress; empty if the collision
+    // has none.
+    RowKernels<Real> with_bulk[3];
 };
 
 // The kernels of all collisions for one precision.

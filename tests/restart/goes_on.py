@@ -64,6 +64,12 @@ class SameBytes(unittest.TestCase):
             self.same(scene, {**settings, f"bodies.{body}.prescribed_motion":
                               f"[{{face: x_min, oscillation: {wave}}}]"}, end, ranks)
 
+    # The checkpoint lies between two rows: what has been summed for the mean goes on.
+    def test_means_of_forces(self):
+        self.same(testing.SMALL, {**COUPLED, "probes.every": "1 ms", "probes.mean_forces": "true",
+                                  "probes.bodies": "[com, fluid_force]"}, "1.375 ms",
+                  "structure=2,fluid=1")
+
     # Patches stand where they stood; checkpoints come after whole steps of all levels.
     def test_swimmer_in_a_refined_grid(self):
         self.same(testing.SMALL, REFINED, "1.375 ms", "structure=2,fluid=3")

@@ -131,7 +131,7 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
         if (!part) continue;
         const std::size_t b = number(part->body);
         add_part(integral.name, *part, bodies[b].mesh, first_node[b],
-                 scene.fluid.has_value());
+                 scene.fluid.has_value(), scene.probes->mean_forces);
     }
 }
 
@@ -149,8 +149,17 @@ void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
             continue;
         }
         Group& group = groups_.emplace_back();
+        const bool mean = scene.probes->mean_forces &&
+                          quantity == scene::BodyQuantity::fluid_force;
         for (const char* column : probe.columns)
-            group.columns.push_back(scene.bodies[b].name + "." + column);
+            group.columns.push_back(scene.bodies[b].name + (mean ? ".mean_" : ".") +
+                                    column);
+        if (mean) {
+            group.add = [b](const ProbeSample& sample, Row& row) {
+                add(row, sample.loads[b].mean_fluid_force_n);
+            };
+            continue;
+        }
         group.add = [this, b, first_node, count = mesh.nodes.size(),
                      line = mesh.centre_line,
                      values = probe.values](const ProbeSample& sample, Row& row) {
@@ -233,7 +242,7 @@ void ProbeRow::add_point(const scene::PointProbe& probe, const scene::Body& body
 // part of a body.
 void ProbeRow::add_part(const std::string& name, const scene::BodyPart& part,
                         const structure::Mesh& mesh, std::size_t first_node,
-                        bool in_fluid) {
+                        bool in_fluid, bool mean_forces) {
     Group& group = groups_.emplace_back();
     for (const char* column :
          {"ux[m]", "uy[m]", "uz[m]", "momentum_x[kg m/s]", "momentum_y[kg m/s]",
@@ -241,6 +250,8 @@ void ProbeRow::add_part(const std::string& name, const scene::BodyPart& part,
           "fluid_force_z[N]"})
         group.columns.push_back(name + "." + column);
     if (!in_fluid) group.columns.resize(6);
+    for (std::size_t i = 6; mean_forces && i < group.columns.size(); ++i)
+        group.columns[i].insert(name.size() + 1, "mean_");
     group.add = [this, first_node, in_fluid, number = parts_++,
                  share = node_shares(elements_of(part, mesh), mesh)](
                     const ProbeSample& sample, Row& row) {

@@ -24,6 +24,8 @@ struct BodyLoads {
     std::vector<Vec3> support_n{};
     // Torque of the fluid about the origin of space; comes with fluid_force_n.
     Vec3 fluid_torque_n_m{};
+    // Mean of fluid_force_n since the last row; for probes.mean_forces.
+    Vec3 mean_fluid_force_n{};
 };
 enum class Load { none, fluid_force, fluid_torque, energies, support };
 // True if a probe of the scene needs the load. The torque needs the force as well, for it
@@ -85,7 +87,8 @@ class ProbeRow {
     void add_point(const scene::PointProbe& probe, const scene::Body& body,
                    const structure::Mesh& mesh, std::size_t first_node);
     void add_part(const std::string& name, const scene::BodyPart& part,
-                  const structure::Mesh& mesh, std::size_t first_node, bool in_fluid);
+                  const structure::Mesh& mesh, std::size_t first_node, bool in_fluid,
+                  bool mean_forces);
 
     std::vector<Group> groups_;
     structure::FieldProgram field_{};

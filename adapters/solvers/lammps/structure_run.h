@@ -21,6 +21,13 @@
 
 namespace magfsi::lammps {
 
+// Sums of the fluid's force since the last row of probes.csv, for probes.mean_forces: the
+// impulses [N s] of the bodies, then of their parts, and the time [s].
+struct ForceSums {
+    std::vector<structure::Vec3> impulse_n_s{};
+    double time_s = 0;
+};
+
 struct StructureRun {
     const scene::Scene& scene;
     coupler::Session& session;
@@ -45,6 +52,7 @@ struct StructureRun {
     // The file probes.csv with its columns and its last row; on the leading rank, null
     // without probes.
     const output::ProbeFile* probes = nullptr;
+    ForceSums force_sums{};
     // The uniform field that a controller has set; empty before its first call and
     // without a controller.
     std::optional<structure::FieldProgram> steered{};

@@ -93,8 +93,8 @@ std::optional<structure::FieldProgram> steered(const StructureRun& run,
 
 }  // namespace
 
-// Tables: nodes, sums (of the fixes), pairs, marker_NAME, numbers, balance, substeps,
-// energy_audit, and those of the controller. Those that the run does not need are absent.
+// Tables: nodes, sums (of the fixes), pairs, marker_NAME, numbers, balance, force_sums,
+// substeps, energy_audit, and those of the controller. Those that the run does not need are absent.
 void save_structure(const StructureRun& run, StateWriter* file) {
     const MPI_Comm comm = run.session.world().local();
     Engine& engine = *run.engine;
@@ -110,6 +110,12 @@ void save_structure(const StructureRun& run, StateWriter* file) {
     }
     if (run.coupling) save_markers(run, file);
     if (run.balance()) save_shares(comm, "balance", run.balance()->values(), file);
+    if (file && run.force_sums.time_s > 0) {
+        std::vector<double> sums{run.force_sums.time_s};
+        for (const auto& impulse : run.force_sums.impulse_n_s)
+            sums.insert(sums.end(), impulse.begin(), impulse.end());
+        file->table("force_sums", sums, {sums.size()});
+    }
     if (file)
         file->table("substeps",
                     run.counted.carried(run.session.clock().step(), run.substeps.count),
@@ -134,6 +140,12 @@ void restore_bodies(StructureRun& run, const StateReader& file) {
         engine.put_fix_sums(share(file, "sums", run.session.world().local()));
     engine.put_pairs(file.has("pairs") ? file.table("pairs") : std::vector<double>{});
     if (run.audit) run.audit->set(file.table("energy_audit"));
+    if (file.has("force_sums")) {
+        const auto sums = file.table("force_sums");
+        run.force_sums.time_s = sums.at(0);
+        for (std::size_t i = 1; i + 3 <= sums.size(); i += 3)
+            run.force_sums.impulse_n_s.push_back({sums[i], sums[i + 1], sums[i + 2]});
+    }
     if (const auto now = steered(run, file, "field")) set_field(run, *now);
 }
 

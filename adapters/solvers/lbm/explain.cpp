@@ -295,7 +295,7 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int
     const auto& n = config.cells;
     const double cells = 1.0 * n[0] * n[1] * n[2];
     std::string text = table(fluid, v);
-    text += sound(fluid, v);
+    text += life_of_sound(fluid, v) + sound(fluid, v);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
     text += inlets(config);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/solvers/lbm/lattice_values.h"
 #include "base/fitted/constants.h"
+#include "fluid_lbm/collision/bulk_viscosity.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -55,6 +57,9 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
     row("density", fmt::format("{:.5g} kg/m3", fluid.density_kg_m3), 1);
     row("viscosity", fmt::format("{:.4g} mm2/s", fluid.viscosity_m2_s * 1e6),
         (v.tau - 0.5) / 3);
+    if (fluid.bulk_viscosity_m2_s)
+        row("bulk viscosity", fmt::format("{:.4g} mm2/s", *fluid.bulk_viscosity_m2_s * 1e6),
+            *fluid.bulk_viscosity_m2_s * v.step_s / (v.spacing_m * v.spacing_m));
     row("speed of sound",
         fmt::format("{:.4g} m/s", v.spacing_m / v.step_s / std::sqrt(3.0)),
         1 / std::sqrt(3.0));
@@ -123,6 +128,48 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
             scene.fluid->rheology ? "" : ", or smagorinsky: {constant: 0.1}"));
     }
     return text;
+}
+
+std::string life_of_sound(const scene::Fluid& fluid, const LatticeValues& v) {
+    using std::numbers::pi;
+    // The slowest standing wave: half a wave length between walls, a whole one in a
+    // period.
+    double k_1_m = 0, length_m = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const auto kind = [&](std::size_t high) {
+            return fluid.boundaries[2 * d + high].kind;
+        };
+        const auto outlet = fluid::BoundaryKind::pressure_outlet;
+        if (kind(0) == outlet || kind(1) == outlet) continue;
+        const bool periodic = kind(0) == fluid::BoundaryKind::periodic;
+        const double k = (periodic ? 2 * pi : pi) / fluid.box_m[d];
+        if (k_1_m > 0 && k >= k_1_m) continue;
+        k_1_m = k;
+        length_m = fluid.box_m[d];
+    }
+    if (k_1_m == 0) return "";
+    const double sound_m_s = v.spacing_m / v.step_s / std::sqrt(3.0);
+    const double viscosity_m2_s = fluid.viscosity_m2_s;
+    const auto life_s = [&](double bulk_m2_s) {
+        return 1 / fluid::sound_decay_1_s(viscosity_m2_s, bulk_m2_s, sound_m_s, k_1_m);
+    };
+    const double now_s =
+        life_s(fluid.bulk_viscosity_m2_s.value_or(2.0 / 3 * viscosity_m2_s));
+    std::string text = fmt::format(
+        "  sound: {:.3g} ms through {:.4g} mm of the box; a wave that stands there decays "
+        "to 1/e in {:.3g} ms",
+        1e3 * length_m / sound_m_s, 1e3 * length_m, 1e3 * now_s);
+    const double finest_step_s = v.step_s / fluid.coupled_steps_in_one();
+    // Three digits of the bound may exceed it.
+    const double useful_m2_s =
+        std::min(fluid::useful_bulk_viscosity_m2_s(sound_m_s, k_1_m),
+                 fluid::largest_bulk_viscosity_m2_s(finest_step_s,
+                                                    fluid.finest_spacing_m()) /
+                     rounded);
+    if (now_s > 2 * life_s(useful_m2_s))
+        text += fmt::format(", with fluid.bulk_viscosity: {:.3g} mm2/s in {:.3g} ms",
+                            useful_m2_s * 1e6, 1e3 * life_s(useful_m2_s));
+    return text + "\n";
 }
 
 std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {

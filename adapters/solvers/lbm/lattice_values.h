@@ -32,6 +32,11 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v);
 // Empty if all is well.
 std::string warnings(const scene::Scene& scene, const LatticeValues& v);
 
+// A line on the life of sound: the time in which it crosses the box, along the axis where
+// it lives longest, and that in which a standing wave decays; if this is long, the bulk
+// viscosity that damps it. Empty if each axis has an outlet, which lets sound out.
+std::string life_of_sound(const scene::Fluid& fluid, const LatticeValues& v);
+
 // A line for each velocity inlet: the time that sound takes to cross the box and (omega
 // L / c)^2 of the inlet's variation in time and of its ramp. The lattice behaves as an
 // incompressible fluid only where this number is small (docs/howto/obstacle.md).

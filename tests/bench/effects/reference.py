@@ -47,6 +47,7 @@ STRUCTURE = {
 }
 FLUID = {
     "body force": ({"fluid.body_force": "[1 N/m3, 0 N/m3, 0 N/m3]"}, {}),
+    "bulk viscosity": ({"fluid.bulk_viscosity": "1000 mm2/s"}, {}),
     "eddy viscosity": ({"fluid.smagorinsky.constant": "0.1"}, {}),
     "rheology": ({"fluid.rheology.carreau": "{infinite_viscosity: 0.1 mm2/s, time: 1 s, exponent: 0.4}"},
                  {}),

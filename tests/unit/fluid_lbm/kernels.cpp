@@ -247,6 +247,59 @@ INSTANTIATE_TEST_SUITE_P(All, Kernels,
                                           testing::Bool(), testing::Bool()),
                          case_name);
 
+// ---- With a rate of its own, the trace n of the stress leaves the cell before the
+// collision, which then has the stress without it, and comes back times 1 - rate, both by
+// its Hermite polynomial w 3/2 (c^2 - 1).
+
+class OwnTrace : public Kernels {
+  protected:
+    static void add_trace(Cell& f, double much) {
+        for (int q = 0; q < directions; ++q) {
+            const double c2 = c[q][0] * c[q][0] + c[q][1] * c[q][1] + c[q][2] * c[q][2];
+            f[q] += weight(q) * 1.5 * (c2 - 1) * much;
+        }
+    }
+};
+
+TEST_P(OwnTrace, RelaxesByItself) {
+    constexpr double bulk = 0.07;
+    double worst = 0;
+    for (const InstructionSet set : available_instruction_sets()) {
+        make_cells(13);
+        const auto out = std::visit(
+            [&](const auto& kernels) {
+                return collide(forced ? kernels.forced : kernels.plain, cells_, force_,
+                               {1 / tau, magic, eddy_constant, nullptr, bulk});
+            },
+            choose_kernels(set, precision, collision,
+                           eddies ? LocalViscosity::eddies : LocalViscosity::none,
+                           TraceRate::own));
+        for (std::size_t x = 0; x < cells_.size(); ++x) {
+            const auto n = reference::viscous_stress(cells_[x], force_[x]);
+            const double trace = n[0][0] + n[1][1] + n[2][2];
+            add_trace(cells_[x], -trace);
+            Cell wanted = expected(x);
+            add_trace(wanted, (1 - bulk) * trace);
+            for (int q = 0; q < directions; ++q)
+                worst = std::max(worst, std::abs(out[x][q] - wanted[q]));
+        }
+    }
+    EXPECT_LT(worst, rounding());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, OwnTrace,
+    testing::Combine(testing::Values(Collision::trt, Collision::recursive_regularized,
+                                     Collision::recursive_mrt),
+                     every_precision, testing::Bool(), testing::Bool()),
+    case_name);
+
+TEST(BulkViscosity, IsRefusedByACollisionWithOneRate) {
+    EXPECT_THROW(choose_kernels(InstructionSet::sse2, Precision::double_, Collision::bgk,
+                                LocalViscosity::none, TraceRate::own),
+                 std::invalid_argument);
+}
+
 // ---- Smagorinsky's relation: populations that carry the viscous stress of a known
 // velocity gradient at the whole relaxation time give that time back,
 //   tau = tau_0 + 3 C^2 |S|,  |S| = sqrt(2 S : S).

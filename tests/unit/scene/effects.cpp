@@ -24,8 +24,8 @@ TEST(Effects, of_a_swimmer) {
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "field sources", "dipoles", "control",
                      "platform", "friction", "contact", "rollers", "prescribed motion",
-                     "implicit scheme", "eddy viscosity", "rheology", "free slip",
-                     "inlets and outlets", "refinement", "obstacles"}));
+                     "implicit scheme", "bulk viscosity", "eddy viscosity", "rheology",
+                     "free slip", "inlets and outlets", "refinement", "obstacles"}));
 }
 
 TEST(Effects, AnUnknownNameIsAnError) {
@@ -54,8 +54,8 @@ TEST(Effects, of_a_solid) {
             "clamps, rollers, prescribed motion",
             "coupled step: none; absent: immersed boundary, buoyancy, "
             "overlap check, implicit scheme",
-            "fluid step: none; absent: fluid, body force, eddy viscosity, "
-            "rheology, moving walls, free slip, inlets and outlets, refinement, "
+            "fluid step: none; absent: fluid, body force, bulk viscosity, "
+            "eddy viscosity, rheology, moving walls, free slip, inlets and outlets, refinement, "
             "obstacles",
             "outputs: none; absent: probes, interface balance, energy audit, structure "
             "fields, fluid fields, checkpoint"}));
@@ -69,8 +69,8 @@ TEST(Effects, of_faces_that_are_held) {
 
 TEST(Effects, of_a_channel) {
     EXPECT_EQ(active_effects(read_scene(test_folder / "complete/channel.yaml")),
-              (Names{"fluid", "eddy viscosity", "free slip", "inlets and outlets",
-                     "obstacles", "probes"}));
+              (Names{"fluid", "bulk viscosity", "eddy viscosity", "free slip",
+                     "inlets and outlets", "obstacles", "probes"}));
 }
 
 TEST(Effects, of_a_fluid) {

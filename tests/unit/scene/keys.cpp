@@ -279,6 +279,7 @@ TEST(Keys, of_a_viscosity_by_the_rate_of_shear) {
 TEST(Keys, of_a_channel_with_obstacles) {
     const Fluid f = *complete("channel.yaml").fluid;
     EXPECT_EQ(f.collision, Collision::trt);
+    EXPECT_EQ(f.bulk_viscosity_m2_s, 3e-4);
     EXPECT_EQ(f.magic_number, 0.25);
     EXPECT_EQ(f.precision, Precision::float_);
     EXPECT_EQ(f.smagorinsky_constant, 0.16);

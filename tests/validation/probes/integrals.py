@@ -55,6 +55,21 @@ class Integrals(unittest.TestCase):
         self.assertGreater(self.column("inflow.pressure[Pa]")[-1],
                            self.column("outflow.pressure[Pa]")[-1])
 
+    def test_means_are_those_of_all_steps_since_the_last_row(self):
+        steps = {"time.step": "125 us", "probes.integrals.inflow": "", "probes.integrals.outflow": ""}
+        every = testing.good_run(SCENE, {**steps, "probes.every": "125 us"}).probes()
+        means = testing.good_run(SCENE, {**steps, "probes.mean_forces": "true"},
+                                 "structure=2,fluid=1").probes()
+        for name in ("beam", "upper"):
+            force = every[f"{name}.fluid_force_x[N]"]
+            mean = means[f"{name}.mean_fluid_force_x[N]"]
+            self.assertNotIn(f"{name}.fluid_force_x[N]", means)
+            self.assertEqual(mean[0], 0)
+            rows = [sum(force[4 * i - 3:4 * i + 1]) / 4 for i in range(1, len(mean))]
+            self.assert_same(mean[1:], rows, max(map(abs, rows)), 9)  # the ranks' rounding
+            # They are no last steps.
+            self.assertGreater(abs(mean[1] - force[4]), 1e-3 * abs(force[4]))
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

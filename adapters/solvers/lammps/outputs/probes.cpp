@@ -3,6 +3,8 @@
 // energy audit.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "adapters/solvers/bodies/probe_row.h"
 #include "adapters/solvers/fluids/fluid_probes.h"
 #include "adapters/solvers/lammps/structure_run.h"
@@ -23,11 +25,16 @@ class Probes : public coupler::Output {
         if (!run_.session.restart()) write();
     }
     void end_step() override {
+        if (run_.scene.probes->mean_forces) add_forces();
         if (run_.session.clock().step() % every_ == 0) write();
     }
     const output::ProbeFile* probes() const override { return file_.get(); }
 
   private:
+    std::vector<bodies::Vec3> forces();
+    void add_forces();
+    void take_means(std::vector<bodies::BodyLoads>& loads,
+                    std::vector<bodies::Vec3>& on_parts);
     std::vector<bodies::BodyLoads> collect_loads(const NodalState& nodes) const;
     void add_supports(const NodalState& state,
                       std::vector<bodies::BodyLoads>& loads) const;
@@ -57,6 +64,40 @@ Probes::Probes(StructureRun& run)
     }
     file_ = coupler::open_probes(run.session, columns);
     run.probes = file_.get();
+}
+
+// The fluid's force in the last step on each body, then on each part. Collective.
+std::vector<bodies::Vec3> Probes::forces() {
+    auto all = run_.coupling->force_on_bodies();
+    const auto on_parts = run_.coupling->force_on_parts();
+    all.insert(all.end(), on_parts.begin(), on_parts.end());
+    return all;
+}
+
+// Adds the impulses of the last step to the sums since the last row. Collective.
+void Probes::add_forces() {
+    const auto now_n = forces();
+    const double step_s = run_.session.clock().step_s();
+    ForceSums& sums = run_.force_sums;
+    sums.impulse_n_s.resize(now_n.size());
+    for (std::size_t i = 0; i < now_n.size(); ++i)
+        sums.impulse_n_s[i] += step_s * now_n[i];
+    sums.time_s += step_s;
+}
+
+// Puts the means since the last row in their places and empties the sums; the first row
+// has none.
+void Probes::take_means(std::vector<bodies::BodyLoads>& loads,
+                        std::vector<bodies::Vec3>& on_parts) {
+    const ForceSums sums = std::exchange(run_.force_sums, {});
+    if (!(sums.time_s > 0)) return;
+    for (std::size_t i = 0; i < sums.impulse_n_s.size(); ++i) {
+        const bodies::Vec3 mean = sums.impulse_n_s[i] / sums.time_s;
+        if (i < loads.size())
+            loads[i].mean_fluid_force_n = mean;
+        else
+            on_parts[i - loads.size()] = mean;
+    }
 }
 
 // The loads on each body that probes need; complete on the root only. Collective.
@@ -152,9 +193,10 @@ void Probes::add_audit(const NodalState& nodes, const FluidEnergy& fluid,
 void Probes::write() {
     const double time_s = run_.session.clock().time_s();
     const NodalState nodes = run_.engine->gather(run_.atoms);
-    const auto loads = collect_loads(nodes);
-    const auto on_parts =
+    auto loads = collect_loads(nodes);
+    auto on_parts =
         run_.coupling ? run_.coupling->force_on_parts() : std::vector<bodies::Vec3>{};
+    if (run_.scene.probes->mean_forces) take_means(loads, on_parts);
     std::vector<double> row;
     if (of_bodies_ && run_.steered) of_bodies_->set_field(*run_.steered);
     if (of_bodies_)
