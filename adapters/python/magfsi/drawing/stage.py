@@ -29,14 +29,15 @@ PAPER, INK = (0.957, 0.957, 0.957), (0.1, 0.1, 0.1)
 def ensure_display():
     """VTK's OpenGL window wants an X server, also off screen: without one this program starts Xvfb, which
     ends with it. Xvfb chooses the number itself and tells it when it is ready: of two programs under
-    xvfb-run both may take the same."""
+    xvfb-run both may take the same. -noreset: otherwise it starts anew when a window is closed, and
+    meanwhile refuses the next one."""
     if os.environ.get("DISPLAY"):
         return
     if shutil.which("Xvfb") is None:
         sys.exit("no DISPLAY, and Xvfb is not installed (apt install xvfb)")
     told, tells = os.pipe()
     subprocess.Popen(["setpriv", "--pdeathsig", "TERM", "Xvfb", "-displayfd", str(tells), "-screen", "0",
-                      "1600x1200x24", "-nolisten", "tcp"], pass_fds=[tells], start_new_session=True,
+                      "1600x1200x24", "-nolisten", "tcp", "-noreset"], pass_fds=[tells], start_new_session=True,
                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(tells)
     with os.fdopen(told) as file:
