@@ -212,9 +212,10 @@ void check_rheology(const Fluid& fluid, const Marks& marks) {
 
 // Collisions with a single rate have the bulk viscosity that this rate gives.
 void check_bulk_viscosity(const Fluid& fluid, const Marks& marks) {
-    require(fluid.collision != Collision::bgk, marks.key({"fluid", "bulk_viscosity"}),
-            "a bulk viscosity with collision: bgk, which has one rate for all of the stress",
-            "it with another collision", "leave collision out, or bulk_viscosity");
+    require(
+        fluid.collision != Collision::bgk, marks.key({"fluid", "bulk_viscosity"}),
+        "a bulk viscosity with collision: bgk, which has one rate for all of the stress",
+        "it with another collision", "leave collision out, or bulk_viscosity");
 }
 
 // The margin must leave room for the kernel and for the motion of bodies until the patch

@@ -185,11 +185,12 @@ void check_probes(const Scene& scene, const Marks& marks) {
     const bool on_part = std::ranges::any_of(probes.integrals, [](const auto& one) {
         return std::holds_alternative<BodyPart>(one.over);
     });
-    require_with(!probes.mean_forces ||
-                     (fluid && (on_part || asks(probes.bodies, BodyQuantity::fluid_force))),
-                 marks.value({"probes", "mean_forces"}), "mean_forces",
-                 "the probe fluid_force or a part of a body, in a fluid",
-                 "add fluid_force to probes.bodies");
+    require_with(
+        !probes.mean_forces ||
+            (fluid && (on_part || asks(probes.bodies, BodyQuantity::fluid_force))),
+        marks.value({"probes", "mean_forces"}), "mean_forces",
+        "the probe fluid_force or a part of a body, in a fluid",
+        "add fluid_force to probes.bodies");
     require_with(!probes.interface_balance || scene.coupling,
                  marks.value({"probes", "interface_balance"}), "interface_balance",
                  "bodies in a fluid");

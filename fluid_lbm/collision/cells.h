@@ -44,8 +44,8 @@ struct CollisionParameters {
     double bulk = 1;  // rate of the trace of the stress, for TraceRate::own
 };
 
-// Rate at which the trace of the non-equilibrium stress relaxes: that of the viscosity, or
-// one of its own, which sets the bulk viscosity (bulk_viscosity.h).
+// Rate at which the trace of the non-equilibrium stress relaxes: that of the viscosity,
+// or one of its own, which sets the bulk viscosity (bulk_viscosity.h).
 enum class TraceRate { viscous, own };
 
 // Rate of the odd modes that keeps Ginzburg's magic number

@@ -16,8 +16,9 @@
 //                          then do not depend on the time step.
 //
 // Where the trace of n has a rate of its own (bulk_viscosity.h), the recursion takes n
-// without it: after a collision a slow trace is far larger than what compression leaves in
-// the third moments, and with it uniform flow becomes unstable from 0.15 cells a step on.
+// without it: after a collision a slow trace is far larger than what compression leaves
+// in the third moments, and with it uniform flow becomes unstable from 0.15 cells a step
+// on.
 //
 // D3Q19 supports six sums and differences of the third-order Hermite polynomials,
 //   H_xxy +- H_yzz, H_xzz +- H_xyy, H_yyz +- H_xxz,

@@ -55,7 +55,8 @@ struct ShearDependent {
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check) {
         V per_density;
-        const Symmetric<V> stress = viscous_stress<Forced, Base::trace>(f, force, per_density);
+        const Symmetric<V> stress =
+            viscous_stress<Forced, Base::trace>(f, force, per_density);
         const V q = squared_norm(stress) * per_density * per_density;
         V even;
         for (int i = 0; i < lanes<V>; ++i)

@@ -53,7 +53,8 @@ struct Smagorinsky {
                                       const Rates<V>& rates, CellCheck<V>& check) {
         constexpr double sqrt_2 = 1.4142135623730951;
         V per_density;
-        const Symmetric<V> stress = viscous_stress<Forced, Base::trace>(f, force, per_density);
+        const Symmetric<V> stress =
+            viscous_stress<Forced, Base::trace>(f, force, per_density);
         const V c2 = rates.eddy_constant * rates.eddy_constant;
         // The equation for tau, multiplied by even^2, so that one division gives the new
         // rate.

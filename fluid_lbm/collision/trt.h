@@ -48,7 +48,8 @@ struct TwoRelaxationTimes {
                 even += (1.0 - half_even) * source.even;
                 odd += (1.0 - half_odd) * source.odd;
             }
-            if constexpr (Trace == TraceRate::own && d3q19::weight(Q) < d3q19::weight_face)
+            if constexpr (Trace == TraceRate::own &&
+                          d3q19::weight(Q) < d3q19::weight_face)
                 even += constant<V>(d3q19::weight_edge) * s.trace_back;  // c^2 is 2
             f.write(Q, first + (even + odd));
             f.write(Q + 1, second + (even - odd));

@@ -25,8 +25,8 @@ Scales to_fine(const Level& coarse, const Level& fine) {
     const FluidConfig& f = fine.fluid.config();
     Scales scales{relaxation_time(f) / (2 * relaxation_time(c)), 1, {}};
     if (c.bulk_viscosity_m2_s)
-        scales.trace = *trace_relaxation_time(f) / (2 * *trace_relaxation_time(c)) /
-                       scales.stress;
+        scales.trace =
+            *trace_relaxation_time(f) / (2 * *trace_relaxation_time(c)) / scales.stress;
     if (!c.body_force_n_m3) return scales;
     scales.velocity =
         *c.body_force_n_m3 * (1 / units(c).force_n_m3() - 1 / units(f).force_n_m3()) / 2;

@@ -45,8 +45,8 @@ Scales to_fine(const Level& coarse, const Level& fine);
 // Applies the scales to `flow`, ten arrays of `count` values one after the other. sign: 1
 // from the coarse to the fine level, -1 back.
 void apply(const Scales& scales, double sign, double* flow, std::size_t count);
-// Multiplies the trace of the stress by a factor; the rest of the stress stays. stress: six
-// arrays of `count` values, the diagonal first.
+// Multiplies the trace of the stress by a factor; the rest of the stress stays. stress:
+// six arrays of `count` values, the diagonal first.
 void scale_trace(double factor, double* stress, std::size_t count);
 
 }  // namespace magfsi::fluid

@@ -336,8 +336,7 @@ void Prolongation::interpolate(const Piece& piece, const Scales& scales,
             combine(w.of, first, line_.size(), flow_size, line_.data());
             combine(of_stress, first + flow_size, line_.size(), line_.size() - flow_size,
                     line_.data() + flow_size);
-            if (scales.trace != 1)
-                scale_trace(scales.trace, line_.data() + flow_size, n);
+            if (scales.trace != 1) scale_trace(scales.trace, line_.data() + flow_size, n);
             double* row = row_.data() + (piece.line == 0 ? 0 : other * numbers * length);
             for (std::size_t i = 0; i < numbers; ++i)
                 expand(line_.data() + i * n, piece.expansion, row + i * length);

@@ -17,7 +17,6 @@ using AnyKernels = std::variant<RowKernels<double>, RowKernels<float>>;
 // The kernels of a collision, which must not be automatic. Throws std::invalid_argument
 // if no kernel is registered for it.
 AnyKernels choose_kernels(InstructionSet set, Precision precision, Collision collision,
-                          LocalViscosity viscosity,
-                          TraceRate trace = TraceRate::viscous);
+                          LocalViscosity viscosity, TraceRate trace = TraceRate::viscous);
 
 }  // namespace magfsi::fluid

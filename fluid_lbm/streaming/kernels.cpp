@@ -51,11 +51,11 @@ constexpr RowKernels<Real> row_kernels_of() {
 template <class Real, class C>
 constexpr CollisionKernels<Real> kernels_of() {
     constexpr TraceRate trace = C::trace;
-    return {C::kind,
-            {row_kernels_of<Real, C, trace>(),
-             row_kernels_of<Real, Smagorinsky<C>, trace>(),
-             row_kernels_of<Real, ShearDependent<C>, trace>()},
-            {}};
+    return {
+        C::kind,
+        {row_kernels_of<Real, C, trace>(), row_kernels_of<Real, Smagorinsky<C>, trace>(),
+         row_kernels_of<Real, ShearDependent<C>, trace>()},
+        {}};
 }
 // A collision whose trace may have a rate of its own.
 template <class Real, template <TraceRate> class C>

@@ -149,8 +149,8 @@ void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
             continue;
         }
         Group& group = groups_.emplace_back();
-        const bool mean = scene.probes->mean_forces &&
-                          quantity == scene::BodyQuantity::fluid_force;
+        const bool mean =
+            scene.probes->mean_forces && quantity == scene::BodyQuantity::fluid_force;
         for (const char* column : probe.columns)
             group.columns.push_back(scene.bodies[b].name + (mean ? ".mean_" : ".") +
                                     column);

@@ -58,7 +58,8 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
     row("viscosity", fmt::format("{:.4g} mm2/s", fluid.viscosity_m2_s * 1e6),
         (v.tau - 0.5) / 3);
     if (fluid.bulk_viscosity_m2_s)
-        row("bulk viscosity", fmt::format("{:.4g} mm2/s", *fluid.bulk_viscosity_m2_s * 1e6),
+        row("bulk viscosity",
+            fmt::format("{:.4g} mm2/s", *fluid.bulk_viscosity_m2_s * 1e6),
             *fluid.bulk_viscosity_m2_s * v.step_s / (v.spacing_m * v.spacing_m));
     row("speed of sound",
         fmt::format("{:.4g} m/s", v.spacing_m / v.step_s / std::sqrt(3.0)),
@@ -156,16 +157,16 @@ std::string life_of_sound(const scene::Fluid& fluid, const LatticeValues& v) {
     const double now_s =
         life_s(fluid.bulk_viscosity_m2_s.value_or(2.0 / 3 * viscosity_m2_s));
     std::string text = fmt::format(
-        "  sound: {:.3g} ms through {:.4g} mm of the box; a wave that stands there decays "
+        "  sound: {:.3g} ms through {:.4g} mm of the box; a wave that stands there "
+        "decays "
         "to 1/e in {:.3g} ms",
         1e3 * length_m / sound_m_s, 1e3 * length_m, 1e3 * now_s);
     const double finest_step_s = v.step_s / fluid.coupled_steps_in_one();
     // Three digits of the bound may exceed it.
-    const double useful_m2_s =
-        std::min(fluid::useful_bulk_viscosity_m2_s(sound_m_s, k_1_m),
-                 fluid::largest_bulk_viscosity_m2_s(finest_step_s,
-                                                    fluid.finest_spacing_m()) /
-                     rounded);
+    const double useful_m2_s = std::min(
+        fluid::useful_bulk_viscosity_m2_s(sound_m_s, k_1_m),
+        fluid::largest_bulk_viscosity_m2_s(finest_step_s, fluid.finest_spacing_m()) /
+            rounded);
     if (now_s > 2 * life_s(useful_m2_s))
         text += fmt::format(", with fluid.bulk_viscosity: {:.3g} mm2/s in {:.3g} ms",
                             useful_m2_s * 1e6, 1e3 * life_s(useful_m2_s));

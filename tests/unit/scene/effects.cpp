@@ -55,7 +55,8 @@ TEST(Effects, of_a_solid) {
             "coupled step: none; absent: immersed boundary, buoyancy, "
             "overlap check, implicit scheme",
             "fluid step: none; absent: fluid, body force, bulk viscosity, "
-            "eddy viscosity, rheology, moving walls, free slip, inlets and outlets, refinement, "
+            "eddy viscosity, rheology, moving walls, free slip, inlets and outlets, "
+            "refinement, "
             "obstacles",
             "outputs: none; absent: probes, interface balance, energy audit, structure "
             "fields, fluid fields, checkpoint"}));

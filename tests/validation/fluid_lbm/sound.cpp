@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bulk viscosity of the fluid's own: sound decays by its formula, shear does not see it,
-// levels of a refined grid share it, and no wave grows in a stream down to the least rate.
+// A bulk viscosity of the fluid's own: sound decays by its formula, shear does not see
+// it, levels of a refined grid share it, and no wave grows in a stream down to the least
+// rate.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -38,7 +39,8 @@ double amplitude(const AnyFluid& fluid, int cells) {
     fluid.velocity(std::vector{CellRow{0, 0, 0, cells}}, u, density);
     double sum = 0;
     for (int x = 0; x < cells; ++x)
-        sum += density[static_cast<std::size_t>(x)] * std::cos(2 * pi * (x + 0.5) / cells);
+        sum +=
+            density[static_cast<std::size_t>(x)] * std::cos(2 * pi * (x + 0.5) / cells);
     return 2 * sum / cells / height;
 }
 
@@ -52,7 +54,8 @@ double exact(double k, double nu, double bulk, double time) {
         double density, flow, stress;
     };
     const auto rate = [&](const Wave& w) {
-        return Wave{-k * w.flow, k * (w.density / 3 + w.stress) - 4.0 / 3 * nu * k * k * w.flow,
+        return Wave{-k * w.flow,
+                    k * (w.density / 3 + w.stress) - 4.0 / 3 * nu * k * k * w.flow,
                     (-bulk * k * w.flow - w.stress) / t_b};
     };
     Wave w{1, 0, 0};
@@ -95,8 +98,8 @@ double decay_rate(int cells, double tau, double bulk, Collision collision) {
 
 class Sound : public testing::TestWithParam<Collision> {};
 
-// exp(-k^2/2 (4/3 nu + nu_b) t), the limit of long waves: the same fluid with twice as many
-// cells a wave has a quarter of the error.
+// exp(-k^2/2 (4/3 nu + nu_b) t), the limit of long waves: the same fluid with twice as
+// many cells a wave has a quarter of the error.
 TEST_P(Sound, DecaysByTheFormulaWithSecondOrder) {
     constexpr double tau = 0.6, bulk = 0.3;
     double last = 0;
@@ -168,8 +171,7 @@ INSTANTIATE_TEST_SUITE_P(Collisions, Sound,
 TEST(Sound, DecaysAlikeThroughARefinedPatch) {
     constexpr int cells = 96;
     const double bulk = useful_bulk_viscosity_m2_s(1 / std::sqrt(3.0), 2 * pi / cells);
-    const FluidConfig config =
-        wave(cells, 0.51, bulk, Collision::recursive_regularized);
+    const FluidConfig config = wave(cells, 0.51, bulk, Collision::recursive_regularized);
     Fluid uniform(MPI_COMM_WORLD, config);
     RefinedFluid refined(MPI_COMM_WORLD, {.coarse = config, .rule = {}},
                          {{Vec3{30, 0.1, 0.1}, Vec3{66, 0.9, 0.9}}});
