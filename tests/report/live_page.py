@@ -119,8 +119,8 @@ class WhileItRuns(unittest.TestCase):
     def test_grows_and_ends(self):
         process, folder = testing.get_going(
             # Without weight, which would take it to the bottom while the page is looked at.
-            testing.SMALL, {"time.end": "2 s", "gravity": "", "coupling.overlap": "allow",
-                            "output.structure.every": "0.2 ms"})
+            testing.SMALL, {"time.end": "20 s", "gravity": "", "coupling.overlap": "allow",
+                            "output.structure.every": "1 ms"})
         try:
             watcher, port, token = watched(folder)
             try:
