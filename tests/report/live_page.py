@@ -14,6 +14,7 @@ from pathlib import Path
 
 import browser
 from magfsi import runs, testing
+from magfsi.report import fields
 
 
 def watched(folder):
@@ -113,6 +114,19 @@ class Watched(unittest.TestCase):
         done = subprocess.run([sys.executable, "-P", "-m", "magfsi.watch", testing.new_folder()],
                               capture_output=True, text=True)
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (runs.EXIT_INPUT, 1))
+
+
+class Frames(unittest.TestCase):
+    def test_of_a_run_that_grows_are_read_once(self):
+        """With frames evenly spread over those that are there, each new one would change all."""
+        fields.remember_frames()  # in this process nothing else reads frames
+        read = set()
+        for count in range(1, 2000):
+            shown = fields.chosen(list(range(count)), 100)
+            self.assertLessEqual(len(shown), 100)
+            self.assertEqual((shown[0], shown[-1]), (0, count - 1))
+            self.assertLessEqual(len(set(shown) - read), 1)
+            read.update(shown)
 
 
 class WhileItRuns(unittest.TestCase):

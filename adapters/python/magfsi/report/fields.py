@@ -49,6 +49,18 @@ def remember_frames():
     _remembered = {}
 
 
+def chosen(stored, most):
+    """At most so many of the frames, first and last among them. Of a run that goes on every second, fourth ...
+    one: those that were read before are read on."""
+    most = max(2, int(most))
+    if _remembered is None:
+        return [stored[i] for i in spread(len(stored), most)]
+    step = 1
+    while len(stored) > step * (most - 1):
+        step *= 2
+    return stored[:-1:step] + stored[-1:]
+
+
 def once(file, what, make):
     if _remembered is None:
         return make()
@@ -146,9 +158,9 @@ def bodies(folder, most_bytes):
     faces, elements, nodes = surface(first)
     # Base64 takes four characters for three bytes.
     each = (7 * len(nodes) + len(faces)) * 4 / 3
-    chosen = [stored[i] for i in spread(len(stored), max(2, int(most_bytes / each)))]
+    frames = chosen(stored, most_bytes / each)
     read = [once(files[0], ("body",), lambda: one_frame(files[0], nodes, elements))
-            for _, files in chosen]
+            for _, files in frames]
     points = np.array([frame[0] for frame in read])
     speeds, strains = ([frame[i] for frame in read if frame[i] is not None] for i in (1, 2))
     low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
@@ -160,16 +172,16 @@ def bodies(folder, most_bytes):
     if moment:
         colours.append(colour(f"magnetisation along {moment[1]} at rest", "A/m", "faces",
                               moment[0], True))
-    if len(strains) == len(chosen):
+    if len(strains) == len(frames):
         colours.append(colour("largest strain", "1", "faces", strains, False))
-    if len(speeds) == len(chosen) and np.max(speeds) > 0:
+    if len(speeds) == len(frames) and np.max(speeds) > 0:
         colours.append(colour("speed", "m/s", "nodes", speeds, False))
-    return {"times": [time for time, _ in chosen], "stored": len(stored), "nodes": len(nodes),
+    return {"times": [time for time, _ in frames], "stored": len(stored), "nodes": len(nodes),
             "low": low.tolist(), "high": high.tolist(), "step": step,
             "middle": np.round(middle, 9).tolist(),  # at first
             "centres": np.round((points.min(axis=1) + points.max(axis=1)) / 2, 9).tolist(),
             "size": float(np.ptp(points, axis=1).max()),
-            "begin": begin(points, [time for time, _ in chosen]),
+            "begin": begin(points, [time for time, _ in frames]),
             "points": packed(np.round((points - low) / step), "<u2"),
             "faces": packed(faces, "<u4"), "body": packed(number, "u1"), "names": names,
             "colours": colours}
@@ -289,10 +301,9 @@ def flow(folder, axis, at, most_bytes, most_side):
     if not first:
         return None
     each = sum(values.size for name, values in first.items() if name not in IN_PLANE) * 4 / 3
-    most = min(MOST_SLICES, max(2, int(most_bytes / each)))
-    chosen = [stored[i] for i in spread(len(stored), most)]
+    frames = chosen(stored, min(MOST_SLICES, most_bytes / each))
     made = [once(files[0], ("slice", axis, at), lambda: one_slice(files, axis, at, most_side))
-            for _, files in chosen]
+            for _, files in frames]
     # What was read once is kept as it is.
     slices = [dict(found) for found, _, _ in made]
     shown_arrows = arrows(slices)
@@ -302,6 +313,6 @@ def flow(folder, axis, at, most_bytes, most_side):
         values = np.array([found[name] for found in slices])
         quantities.append(colour(name if name != "vorticity" else f"vorticity along {AXES[axis]}",
                                  UNITS[name], "pixels", values, name != "speed", SHARE_IN_COLOUR))
-    return {"times": [time for time, _ in chosen], "axis": axis, "at": at, "rows": shape[0],
+    return {"times": [time for time, _ in frames], "axis": axis, "at": at, "rows": shape[0],
             "columns": shape[1], "origin": made[0][1], "size": made[0][2],
             "arrows": shown_arrows, "quantities": quantities}
