@@ -175,16 +175,22 @@ void keys(Io& io, Roller& roller) {
            "Axis of space, not of a turned body, along which the face is held."), AxisRef{roller.axis});
 }
 
-// Keys of `prescribed_motion[].oscillation`, and the motion of a field source.
-template <class Io>
-void keys(Io& io, Oscillation& oscillation) {
-    io(quantity("amplitude", "m", "Amplitudes along x, y and z."), oscillation.amplitude_m);
+// Keys of an oscillation of any quantity.
+template <class Io, class Course>
+void periods(Io& io, Course& oscillation) {
     io(quantity("frequency", "1/s", "Number of periods per second.").above(0),
        oscillation.frequency_hz);
     io(quantity("phase", "rad",
            "Phase of the oscillation. With 0 it starts at full speed, to both sides of "
            "the start; with -90 deg it starts from rest, to one side.").by_default(),
        oscillation.phase_rad);
+}
+
+// Keys of `prescribed_motion[].oscillation`, and the motion of a field source.
+template <class Io>
+void keys(Io& io, Oscillation& oscillation) {
+    io(quantity("amplitude", "m", "Amplitudes along x, y and z."), oscillation.amplitude_m);
+    periods(io, oscillation);
 }
 
 // Keys of `prescribed_motion[].formula`, and the motion of a field source.
@@ -208,12 +214,7 @@ void keys(Io& io, DisplacementRamp& ramp) {
 template <class Io>
 void keys(Io& io, AngleOscillation& oscillation) {
     io(quantity("amplitude", "rad", "Amplitude of the angle."), oscillation.amplitude_rad);
-    io(quantity("frequency", "1/s", "Number of periods per second.").above(0),
-       oscillation.frequency_hz);
-    io(quantity("phase", "rad",
-           "Phase of the oscillation. With 0 it starts at full speed, to both sides of "
-           "the start; with -90 deg it starts from rest, to one side.").by_default(),
-       oscillation.phase_rad);
+    periods(io, oscillation);
 }
 
 // Keys of `prescribed_motion[].turning`.

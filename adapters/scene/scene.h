@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "adapters/scene/openfoam_files.h"
 #include "base/vector/vec3.h"
 #include "coupler/options.h"
 #include "fluid_lbm/options.h"
@@ -141,23 +142,6 @@ constexpr auto words_of(FluidSolver) {
 struct Grading {
     std::array<Vec3, 2> uniform_m{};  // lower and upper corner of the part
     double growth = 1.1;              // largest ratio of neighbouring cells
-};
-
-// Time folders in OpenFOAM's own format, for paraFoam and postProcess.
-enum class FoamFormat { ascii, binary };
-constexpr auto words_of(FoamFormat) {
-    return std::to_array<std::string_view>({"ascii", "binary"});
-}
-struct FoamWrite {
-    double every_s = 0;
-    FoamFormat format = FoamFormat::ascii;
-};
-
-// What a user of OpenFOAM adds to the generated case: dictionaries that are merged into
-// fvSchemes, fvSolution and controlDict, and fields. The lattice has none of it.
-struct OpenFoam {
-    std::optional<std::string> schemes, solution, functions;  // files
-    std::optional<FoamWrite> write;
 };
 
 // Refined grid of the lattice: a patch of finer cells that follows the bodies or stays in

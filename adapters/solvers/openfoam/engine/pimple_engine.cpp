@@ -206,8 +206,8 @@ class PimpleEngine final : public Engine {
         return centres;
     }
 
-    // As OpenFOAM's function object `forces`: the area vectors point out of the fluid,
-    // into the body.
+    // The sign is that of OpenFOAM's `forces`: area vectors point out of the fluid, into
+    // the body.
     std::array<double, 3> force_on(const std::string& patch) override {
         return guarded([&] {
             Foam::vector force(Foam::Zero);
