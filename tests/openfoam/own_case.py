@@ -66,7 +66,8 @@ class OwnCase(unittest.TestCase):
         _, two = self.energies("{solution: mine}", mine="PIMPLE { nOuterCorrectors 2; }")
         testing.report(f"two outer correctors: energy {two[-1] / one[-1] - 1:+.1e}")
         self.assertNotEqual(one[-1], two[-1])
-        self.assertAlmostEqual(two[-1] / one[-1], 1, delta=0.02)
+        # The splitting's error falls with the step; 0.04 % at this one, a Courant number of 0.08.
+        self.assertAlmostEqual(two[-1] / one[-1], 1, delta=0.002)
 
     def test_functions_run_along(self):
         """The integral of U by OpenFOAM's function object is the momentum over the density."""
