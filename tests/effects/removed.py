@@ -4,6 +4,7 @@ steps as in a program that was built without the effect's files and its line in 
 
     ./magfsi python tests/effects/removed.py            of all effects
     ./magfsi python tests/effects/removed.py drag       of this one
+    ./magfsi python tests/effects/removed.py Removed.TEST
 
 CTest runs a slice of it."""
 
@@ -98,14 +99,18 @@ EFFECTS = {
     "structure_fields": output("structure_fields", "adapters/solvers/bodies/structure_files.*",
                                alone=[STRUCTURE], coupled=[STRUCTURE]),
     "fluid_fields": output("fluid_fields", alone=[FLUID], coupled=[FLUID]),
+    "own_files": output("own_files", alone=[FLUID], coupled=[FLUID]),
     "checkpoint": output("checkpoint", "coupler/checkpoint/checkpoints.*",
                          alone=BOTH, coupled=BOTH),
 }
 
 
+TESTS_BEGIN = "Removed."
+
+
 def chosen():
     """The effects named on the command line, or all."""
-    names = [word for word in sys.argv[1:] if not word.startswith("-")]
+    names = [word for word in sys.argv[1:] if not word.startswith(("-", TESTS_BEGIN))]
     for name in names:
         if name not in EFFECTS:
             sys.exit(f"no effect {name}; there are {', '.join(EFFECTS)}")
@@ -170,4 +175,5 @@ class Removed(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    TESTS = [word for word in sys.argv[1:] if word.startswith(TESTS_BEGIN)]
+    unittest.main(argv=[sys.argv[0], *TESTS])
