@@ -5,8 +5,8 @@ advice/*.txt has a row a line: settings | words of the message | remedy | anothe
 remedy is settings on top of the first ones (of several keys with "; " between them), "-" the scene
 without them. A line "== NAME" starts the rows of the scene advice/NAME.yaml.
 
---runs 1 follows what a run says, --runs 0 what is said before, of which --every 4 takes each
-fourth row. Not here: advice on the machine or the MPI job (attack_no_start, attack_wrong_partners,
+--runs 1 follows what a run says, --runs 0 what is said before, of which --every 8 takes each
+eighth row. Not here: advice on the machine or the MPI job (attack_no_start, attack_wrong_partners,
 attack_one_owner), of studies and searches (study_is_refused), of the launcher (launcher_words), of
 LAMMPS scripts (structure_script), what only Gmsh can mend (ElementOrder); a gain of energy without
 a source and the law of steps of a crushed body, which take long runs; and what a scene cannot
