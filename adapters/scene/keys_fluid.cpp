@@ -266,8 +266,8 @@ void keys(Io& io, Fluid& fluid) {
     if (dynamic_pa_s > 0) fluid.viscosity_m2_s = dynamic_pa_s / fluid.density_kg_m3;
     io(quantity("bulk_viscosity", "m2/s",
            "Kinematic bulk viscosity: it damps sound, which a body or an inlet makes that starts "
-           "suddenly, and leaves a resolved flow alone. explain tells the most useful value. Without it, "
-           "2/3 of the viscosity. For solver lbm.").above(0),
+           "suddenly, and leaves a resolved flow alone. explain tells the most useful value. "
+           "Without it, 2/3 of the viscosity. For solver lbm.").above(0),
        fluid.bulk_viscosity_m2_s);
     io(quantity("expected_speed", "m/s",
            "Largest speed that the run should resolve. It is needed without time.step.")

@@ -229,8 +229,4 @@ class Code(Folder):
 
 
 if __name__ == "__main__":
-    if "--every" in sys.argv:
-        at = sys.argv.index("--every")
-        EVERY = int(sys.argv[at + 1])
-        del sys.argv[at:at + 2]
-    unittest.main()
+    testing.main(EVERY=EVERY)

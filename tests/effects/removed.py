@@ -4,7 +4,7 @@ steps as in a program that was built without the effect's files and its line in 
 
     ./magfsi python tests/effects/removed.py            of all effects
     ./magfsi python tests/effects/removed.py drag       of this one
-    ./magfsi python tests/effects/removed.py Removed.TEST
+    ./magfsi python tests/effects/removed.py Removed.test_is_the_same_as_absent    this test alone
 
 CTest runs a slice of it."""
 

@@ -12,8 +12,8 @@
 namespace magfsi::scene {
 namespace {
 
-// True if the effective scene has a value for each leaf of the table; adds those it
-// lacks.
+// Adds the paths of the leaves below `field` that no scene has a value for. places: what
+// the scenes have there.
 void missing_leaves(const Field& field, const std::string& path,
                     const std::vector<nlohmann::json>& places,
                     std::vector<std::string>& missing) {
@@ -35,7 +35,8 @@ void missing_leaves(const Field& field, const std::string& path,
     }
 }
 
-// A key that the table has but bind.h forgot would be accepted and ignored.
+// A key that is read but not written would be lacking in scene.json, from which the
+// participants start.
 TEST(Keys, of_the_table_are_all_stored) {
     std::vector<nlohmann::json> scenes;
     for (const char* name :
