@@ -11,6 +11,7 @@ import sys
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import browser
 from magfsi import runs, testing
@@ -127,6 +128,30 @@ class Frames(unittest.TestCase):
             self.assertEqual((shown[0], shown[-1]), (0, count - 1))
             self.assertLessEqual(len(set(shown) - read), 1)
             read.update(shown)
+
+
+    def test_that_are_more_than_can_be_read_come_with_the_next_answers(self):
+        """By a clock that goes on by a tenth of the time there is with each frame."""
+        fields.remember_frames()
+        now, made = [0.0], []
+
+        def make(files):
+            now[0] += fields.READING_S / 10
+            made.append(files[0])
+            return files[0]
+        frames = [(n, [f"frame {n}"]) for n in range(45)]
+        with mock.patch.object(fields.time, "monotonic", lambda: now[0]):
+            counts, left = [], True
+            while left:
+                found = fields.read(frames, ("body",), make)
+                self.assertEqual(found[-1], (frames[-1], "frame 44"))
+                self.assertEqual(found, sorted(found))
+                counts.append(len(found))
+                left = fields.some_left()
+        testing.report(f"frames in the answers: {counts}")
+        self.assertEqual(counts[-1], 45)
+        self.assertEqual(len(made), 45)
+        self.assertLessEqual(max(b - a for a, b in zip([0, *counts], counts)), 12)
 
 
 class WhileItRuns(unittest.TestCase):

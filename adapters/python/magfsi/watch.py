@@ -110,8 +110,9 @@ class Source:
                 run = data.read_run(self.folder, ROOM)
                 run["progress"], run["ended"] = self.progress(run), run["outcome"] != "not ended"
                 self.text = gzip.compress(page.as_json([run]).encode(), 1)
-                self.known = print_
-            return self.known, self.text
+                # With frames left to the next answer, that is another one even if no file changes.
+                self.known = None if fields.some_left() else print_
+            return print_, self.text
 
 
 class Handler(http.server.BaseHTTPRequestHandler):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Bodies and flow of a run folder at each instant, as the page holds them."""
 import base64
+import time
 
 import numpy as np
 import vtk
@@ -13,6 +14,7 @@ MOST_SIDE = 160  # pixels of a slice
 LESS_SIDE = 80  # of those in the planes that are not shown at first
 MOST_SLICES = 60
 MOST_ARROWS = 28  # along a side of a slice
+READING_S = 1.0  # of bodies, and of a slice, in one answer of a page that is made again and again
 IN_PLANE = ("first", "second")  # components of the velocity along the axes of a slice
 AXES = "xyz"
 
@@ -41,6 +43,7 @@ def stored_frames(folder, collection):
 
 
 _remembered = None  # {(file, of what): what was read of it}, where frames are kept
+_left = False  # some of them to the next call
 
 
 def remember_frames():
@@ -61,13 +64,30 @@ def chosen(stored, most):
     return stored[:-1:step] + stored[-1:]
 
 
-def once(file, what, make):
+def read(frames, what, make):
+    """The frames with what make() has of the files of each. Where frames are remembered, those that are
+    new are read for a limited time, the last one before all others; the rest is left to the next
+    call, so that a page of a run that writes faster than it is read answers all the same."""
+    global _left
     if _remembered is None:
-        return make()
-    key = (str(file), *what)
-    if key not in _remembered:
-        _remembered[key] = make()
-    return _remembered[key]
+        return [(frame, make(frame[1])) for frame in frames]
+    until, found = time.monotonic() + READING_S, []
+    for frame in frames[-1:] + frames[:-1]:
+        key = (str(frame[1][0]), *what)
+        if key not in _remembered:
+            if found and time.monotonic() > until:
+                _left = True
+                continue
+            _remembered[key] = make(frame[1])
+        found.append((frame, _remembered[key]))
+    return found[1:] + found[:1]
+
+
+def some_left():
+    """Whether frames have been left to the next call since this was asked last."""
+    global _left
+    left, _left = _left, False
+    return left
 
 
 def surface(grid):
@@ -158,11 +178,11 @@ def bodies(folder, most_bytes):
     faces, elements, nodes = surface(first)
     # Base64 takes four characters for three bytes.
     each = (7 * len(nodes) + len(faces)) * 4 / 3
-    frames = chosen(stored, most_bytes / each)
-    read = [once(files[0], ("body",), lambda: one_frame(files[0], nodes, elements))
-            for _, files in frames]
-    points = np.array([frame[0] for frame in read])
-    speeds, strains = ([frame[i] for frame in read if frame[i] is not None] for i in (1, 2))
+    found = read(chosen(stored, most_bytes / each), ("body",),
+                 lambda files: one_frame(files[0], nodes, elements))
+    frames, made = zip(*found)
+    points = np.array([frame[0] for frame in made])
+    speeds, strains = ([frame[i] for frame in made if frame[i] is not None] for i in (1, 2))
     low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
     step = max(np.ptp(points, axis=(0, 1)).max() / 65535, 1e-12)
     number, names = bodies_of(first, elements)
@@ -301,9 +321,9 @@ def flow(folder, axis, at, most_bytes, most_side):
     if not first:
         return None
     each = sum(values.size for name, values in first.items() if name not in IN_PLANE) * 4 / 3
-    frames = chosen(stored, min(MOST_SLICES, most_bytes / each))
-    made = [once(files[0], ("slice", axis, at), lambda: one_slice(files, axis, at, most_side))
-            for _, files in frames]
+    found = read(chosen(stored, min(MOST_SLICES, most_bytes / each)), ("slice", axis, at),
+                 lambda files: one_slice(files, axis, at, most_side))
+    frames, made = zip(*found)
     # What was read once is kept as it is.
     slices = [dict(found) for found, _, _ in made]
     shown_arrows = arrows(slices)
