@@ -15,9 +15,9 @@ from magfsi import testing
 from magfsi.drawing.stage import Stage, ensure_display
 from PIL import Image
 
-OPENS_IN_S = 1
-TRIES = 8
-FRAMES_A_S = 20
+OPENS_IN_S = 2  # of processor time: a second on two processors
+FRAMES_A_S = 20  # of processor time
+TRIES = 3
 
 
 def pixels(picture):
@@ -30,11 +30,10 @@ def orange(image):
 
 
 def slow_machine():
-    """How much longer a fixed piece of work takes than on an idle core of 2020: others may be at
-    work here."""
-    began = time.perf_counter()
+    """How much more processor time a fixed piece of work takes than on a core of 2020."""
+    began = time.process_time()
     sum(i * i for i in range(3_000_000))
-    return max(1.0, (time.perf_counter() - began) / 0.25)
+    return max(1.0, (time.process_time() - began) / 0.25)
 
 
 @testing.needs("chromium")
@@ -50,9 +49,8 @@ class Looked(unittest.TestCase):
         cls.browser.__exit__()
 
     def open(self, file, fragment="", **how):
-        seconds = self.browser.open(f"file://{file}{fragment}", **how)
+        self.browser.open(f"file://{file}{fragment}", **how)
         self.assertEqual(self.browser.errors(), [])
-        return seconds
 
     def test_scrubs_to_a_time(self):
         self.open(self.page, "#t=0.0015")
@@ -68,16 +66,19 @@ class Looked(unittest.TestCase):
         self.assertAlmostEqual(place, (left + right) / 2, delta=1)
 
     def in_time(self, page):
-        """Whether it opens and plays so fast, once."""
-        slow = slow_machine()
-        opened = self.open(page)
-        seconds = self.browser.run(PLAY % 40)
-        testing.report(f"opens in {opened:.2f} s, {40 / seconds:.0f} frames a second, the machine "
-                       f"{slow:.1f} times slow")
-        return opened < slow * OPENS_IN_S and seconds < slow * 40 / FRAMES_A_S
+        """Whether it opens and plays so fast, once. By the processor time of the browser: the time
+        of the clock is that of all that runs on this machine."""
+        slow, began = slow_machine(), self.browser.processor_s()
+        self.open(page)
+        opened = self.browser.processor_s()
+        self.browser.run(PLAY % 40)
+        opening, playing = opened - began, self.browser.processor_s() - opened
+        testing.report(f"processor time: opens in {opening:.2f} s, {40 / playing:.0f} frames a second, "
+                       f"the machine {slow:.1f} times slow")
+        return opening < slow * OPENS_IN_S and playing < slow * 40 / FRAMES_A_S
 
     def opens_and_plays(self, page):
-        """What is at work beside it for a moment does not count: a slow page is so each time."""
+        """A slow page is so each time."""
         self.assertTrue(any(self.in_time(page) for _ in range(TRIES)))
 
     def test_plays_fast_enough_and_opens_soon(self):

@@ -22,6 +22,7 @@ from pathlib import Path
 
 from magfsi import runs
 from magfsi.report import data, fields, page
+from magfsi.report.growing import GrowingTable
 
 ROOM = 4e6  # bytes of fields in an answer: it may come through SSH
 LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
@@ -68,7 +69,13 @@ class Source:
     def __init__(self, folder):
         self.folder, self.lock = folder, threading.Lock()
         self.known, self.text = None, b""
+        self.begin_anew(None)
+
+    def begin_anew(self, start):
+        """With what a start of the run has written: another start may write the same files again."""
+        self.start = start
         self.first_seen = None  # (time of the clock, time of the scene)
+        self.table = GrowingTable(self.folder / "probes.csv")
         fields.remember_frames()
 
     def fingerprint(self):
@@ -81,11 +88,11 @@ class Source:
                 parts.append("-")
         return "_".join(parts)
 
-    def progress(self, run):
+    def progress(self, run, columns):
         if run["outcome"] != "not ended" or not run["end"]:
             return None
         reached = max([part["times"][-1] for part in (run["bodies"], run["flow"]) if part] +
-                      [self.last_row()])
+                      [(columns.get("t[s]") or [0.0])[-1]])
         now, share = time.time(), reached / run["end"]
         begun = datetime.datetime.fromisoformat(run["begun"].replace("Z", "+00:00")).timestamp()
         self.first_seen = self.first_seen or (now, reached)
@@ -99,16 +106,18 @@ class Source:
             text += f", {left_in_words((run['end'] - reached) * (now - since) / (reached - at))} left"
         return text
 
-    def last_row(self):
-        return (data.read_probes(self.folder).get("t[s]") or [0.0])[-1]
-
     def now(self):
         """(fingerprint, JSON, compressed)"""
         with self.lock:
             print_ = self.fingerprint()
             if print_ != self.known:
-                run = data.read_run(self.folder, ROOM)
-                run["progress"], run["ended"] = self.progress(run), run["outcome"] != "not ended"
+                start = print_.partition("_")[0]  # that of run.json
+                if start != self.start:
+                    self.begin_anew(start)
+                columns = self.table.read()
+                run = data.read_run(self.folder, ROOM, columns)
+                run["progress"] = self.progress(run, columns)
+                run["ended"] = run["outcome"] != "not ended"
                 self.text = gzip.compress(page.as_json([run]).encode(), 1)
                 # With frames left to the next answer, that is another one even if no file changes.
                 self.known = None if fields.some_left() else print_

@@ -58,6 +58,25 @@ TEST(Inertia, OfASkewedMeshIsRightToo) {
     EXPECT_LT(largest(inertia_error(body)), 0.01);
 }
 
+// Centre of mass of a frustum of height h whose top has s times the side of its base:
+// h / 4 (1 + 2 s + 3 s^2) / (1 + s + s^2). An element has it exactly by its four upper
+// nodes, for the integrals of N_a x_a add up to that of x.
+TEST(Inertia, OfAFrustumHasItsCentreOfMass) {
+    constexpr double h = 0.7, s = 0.4;
+    Body body = block({{1, 1, h}, {1, 1, 1}}, Inertia::lumped);
+    for (Vec3& x : body.mesh.nodes) {
+        for (const int d : {0, 1}) x[d] = 0.5 + (x[d] - 0.5) * (x[2] > 0 ? s : 1);
+    }
+    const auto masses = element_masses_kg(body)[0];
+    double mass = 0, moment = 0;
+    for (int a = 0; a < 8; ++a) {
+        mass += masses[a];
+        moment += masses[a] * body.mesh.nodes[body.mesh.elements[0][a]][2];
+    }
+    EXPECT_NEAR(mass / (1860 * h * (1 + s + s * s) / 3), 1, 1e-12);
+    EXPECT_NEAR(moment / mass, h / 4 * (1 + 2 * s + 3 * s * s) / (1 + s + s * s), 1e-12);
+}
+
 // What it costs: lighter nodes on the surface.
 TEST(Inertia, CostsLittleOfTheStableStep) {
     for (const Box& box :

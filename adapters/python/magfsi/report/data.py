@@ -199,14 +199,15 @@ def shown_box(scene, found):
     return (found["low"], found["high"]) if found else (None, None)
 
 
-def read_run(folder, most_bytes):
-    """Raises NotARun."""
+def read_run(folder, most_bytes, columns=None):
+    """`columns` are those of probes.csv where they have been read already. Raises NotARun."""
     scene = read_json(folder / "scene.json", None)
     starts = read_json(folder / "run.json", [])
     if scene is None or not starts:
         raise NotARun(f"{folder}: found no scene.json and run.json; allowed are folders that "
                       "./magfsi run has written")
-    summary, columns = read_json(folder / "summary.json", {}), read_probes(folder)
+    summary = read_json(folder / "summary.json", {})
+    columns = read_probes(folder) if columns is None else columns
     found = fields.bodies(folder, 0.4 * most_bytes)
     rows = rows_shown(columns, most_rows(columns, most_bytes)) if columns else []
     field, drawn, courses = field_and_sources(scene, columns, rows, found)

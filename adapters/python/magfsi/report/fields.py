@@ -304,18 +304,18 @@ def flows(folder, scene, at, most_bytes):
     """Slices through a place: in the plane of the field, or across y, then in the two other planes."""
     plane = scene.get("magnetic_field", {}).get("plane", "xz")
     first = next(a for a in range(3) if AXES[a] not in plane)
-    made = [flow(folder, axis, at, (0.6 if axis == first else 0.2) * most_bytes,
-                 MOST_SIDE if axis == first else LESS_SIDE) for axis in (first, *{0, 1, 2} - {first})]
-    return [found for found in made if found]
-
-
-def flow(folder, axis, at, most_bytes, most_side):
-    """Slices of the flow across an axis, through `at`."""
     stored = [(time, [f for f in files if f.suffix in (".vti", ".pvti")])
               for time, files in stored_frames(folder, "fluid.pvd")]
     stored = [(time, files) for time, files in stored if files]
     if not stored:
-        return None
+        return []
+    made = [flow(stored, axis, at, (0.6 if axis == first else 0.2) * most_bytes,
+                 MOST_SIDE if axis == first else LESS_SIDE) for axis in (first, *{0, 1, 2} - {first})]
+    return [found for found in made if found]
+
+
+def flow(stored, axis, at, most_bytes, most_side):
+    """Slices of the flow across an axis, through `at`."""
     at = at[axis]
     first, _, _ = one_slice(stored[-1][1], axis, at, most_side)
     if not first:
