@@ -17,7 +17,7 @@ import numpy as np
 import vtk
 from kinds import SECOND
 from magfsi import gallery, testing, units
-from magfsi.drawing import actors, camera, clock, magnetisation
+from magfsi.drawing import actors, camera, clock, magnetisation, stage
 from magfsi.drawing.stage import Stage, ensure_display
 from PIL import Image
 
@@ -100,6 +100,13 @@ BRIEF = {"beam": {}, "catheter": {"time.end": "5 ms", "output.structure.every": 
          "helix": {"time.end": "10 ms", "output.structure.every": "10 ms"}, "origami": {"time.end": "250 ms"},
          "steering": {"time.end": "10 ms"}, "strip": {"time.end": "250 ms"}, "swimmer": {"time.end": "2 ms"},
          "tank": {"time.end": "1 ms"}, "turning": {"time.end": "1 s"}}
+
+
+class Display(unittest.TestCase):
+    def test_a_number_that_is_taken_is_left(self):
+        number = stage.FIRST_DISPLAY + stage.DISPLAYS + os.getpid() % 100  # of no other test
+        self.assertTrue(stage.started_display(number))
+        self.assertFalse(stage.started_display(number))
 
 
 class Framed(unittest.TestCase):

@@ -26,25 +26,36 @@ ROOM = 20e6  # bytes of fields: a film has more of them than a page
 PAPER, INK = (0.957, 0.957, 0.957), (0.1, 0.1, 0.1)
 
 
+# hwloc, in MPI programs, asks the displays :0 to :9 for graphics cards when it starts; a display that ends
+# at that moment ends the program.
+FIRST_DISPLAY, DISPLAYS = 100, 400
+
+
+def started_display(number):
+    """Whether there is an Xvfb of this number now, which ends with this program. -noreset: otherwise it
+    starts anew when a window is closed, and meanwhile refuses the next one."""
+    told, tells = os.pipe()
+    subprocess.Popen(["setpriv", "--pdeathsig", "TERM", "Xvfb", f":{number}", "-displayfd", str(tells),
+                      "-screen", "0", "1600x1200x24", "-nolisten", "tcp", "-noreset"], pass_fds=[tells],
+                     start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(tells)
+    with os.fdopen(told) as file:  # Xvfb tells its number when it is ready
+        return file.readline().strip() == str(number)
+
+
 def ensure_display():
-    """VTK's OpenGL window wants an X server, also off screen: without one this program starts Xvfb, which
-    ends with it. Xvfb chooses the number itself and tells it when it is ready: of two programs under
-    xvfb-run both may take the same. -noreset: otherwise it starts anew when a window is closed, and
-    meanwhile refuses the next one."""
+    """VTK's OpenGL window wants an X server, also off screen: without one this program starts Xvfb. Of two
+    programs under xvfb-run both may take the same."""
     if os.environ.get("DISPLAY"):
         return
     if shutil.which("Xvfb") is None:
         sys.exit("no DISPLAY, and Xvfb is not installed (apt install xvfb)")
-    told, tells = os.pipe()
-    subprocess.Popen(["setpriv", "--pdeathsig", "TERM", "Xvfb", "-displayfd", str(tells), "-screen", "0",
-                      "1600x1200x24", "-nolisten", "tcp", "-noreset"], pass_fds=[tells], start_new_session=True,
-                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    os.close(tells)
-    with os.fdopen(told) as file:
-        number = file.readline().strip()
-    if not number:
-        sys.exit("no DISPLAY, and Xvfb ends at once; see what it says: Xvfb -displayfd 1")
-    os.environ["DISPLAY"] = f":{number}"
+    for tried in range(20):
+        number = FIRST_DISPLAY + (os.getpid() + tried) % DISPLAYS
+        if started_display(number):
+            os.environ["DISPLAY"] = f":{number}"
+            return
+    sys.exit(f"no DISPLAY, and Xvfb ends at once; see what it says: Xvfb :{FIRST_DISPLAY}")
 
 
 class Stage:
