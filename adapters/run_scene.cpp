@@ -10,12 +10,13 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 #include "adapters/scene/effective.h"
+#include "adapters/scene/kept_scene.h"
 #include "adapters/scene/reader.h"
 #include "base/fitted/constants.h"
+#include "coupler/checkpoint/restart.h"
 
 namespace magfsi {
 
@@ -36,12 +37,11 @@ double given_speed(const scene::Fluid& fluid) {
     return largest;
 }
 
-// Whole contents of a file; "" if it cannot be read.
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
+// Hands on what the run folder keeps of the scene.
+void keep(scene::KeptScene kept, coupler::RunPlan& plan) {
+    plan.scene = std::move(kept.complete);
+    if (kept.as_given != plan.scene) plan.scene_as_given = std::move(kept.as_given);
+    for (auto& [file, name] : kept.files) plan.scene_files.emplace_back(file, name);
 }
 
 }  // namespace
@@ -101,6 +101,24 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     return plan;
 }
 
+bool goes_on_in(const std::filesystem::path& out, const std::string& restart) {
+    if (restart.empty()) return false;
+    std::error_code none;  // false where one of them is not there
+    return std::filesystem::equivalent(coupler::restart_folder(restart, out), out, none);
+}
+
+void refuse_own_scene(const std::filesystem::path& scene_file,
+                      const std::filesystem::path& out, const std::string& restart) {
+    std::error_code none;
+    if (!std::filesystem::equivalent(scene_file, out / "scene.yaml", none) ||
+        goes_on_in(out, restart))
+        return;
+    throw std::invalid_argument(fmt::format(
+        "--out: found {}, the folder of the scene itself, which would be moved aside with "
+        "what lies there; allowed are other folders",
+        out.string()));
+}
+
 void require_solver(const scene::Scene& scene, scene::FluidSolver solver) {
     if (!scene.fluid)
         throw std::invalid_argument(
@@ -113,7 +131,6 @@ void require_solver(const scene::Scene& scene, scene::FluidSolver solver) {
         scene::name_of(solver)));
 }
 
-// The scene goes into the run folder twice: as given, and as read with defaults in SI.
 int run_scene(coupler::Role role, const std::string& description, int argc, char** argv,
               const RunScene& run) {
     return coupler::run_participant(
@@ -121,8 +138,12 @@ int run_scene(coupler::Role role, const std::string& description, int argc, char
         [&](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
             scene::Scene scene = scene::read_scene(arguments.scene, arguments.overrides);
             scene.time.halvings = arguments.halvings;
+            refuse_own_scene(scene::scene_file(arguments.scene),
+                             arguments.out.empty() ? coupler::default_out(scene.name)
+                                                   : arguments.out,
+                             arguments.restart);
             coupler::RunPlan plan = run_plan(scene);
-            plan.scene_as_given = text_of(scene::scene_file(arguments.scene));
+            keep(scene::kept_scene(arguments.scene, arguments.overrides, scene), plan);
             plan.scene_as_read = scene::effective_scene(scene).dump(2) + "\n";
             // All cores of the machine count: mpirun may bind this process to one of
             // them.

@@ -2,6 +2,7 @@
 // The main function of a participant that runs a scene.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -22,6 +23,14 @@ int available_cores();
 // Number of ranks or threads at which each still has enough cells to be worth its
 // messages (fitted::cells_worth_a_rank).
 int worthwhile_parts(const scene::Fluid& fluid);
+
+// True if a run with this --restart continues in the folder of its checkpoint, whose
+// results must then stay.
+bool goes_on_in(const std::filesystem::path& out, const std::string& restart);
+// Throws std::invalid_argument if a run to the folder `out` would move its own scene
+// aside, with the results that lie there.
+void refuse_own_scene(const std::filesystem::path& scene_file,
+                      const std::filesystem::path& out, const std::string& restart);
 
 // Solver part of a participant: must call session.begin with the coupled step, then run
 // all steps. Scene and session outlive the call.

@@ -17,6 +17,7 @@
 #include "adapters/app/explain.h"
 #include "adapters/app/job.h"
 #include "adapters/app/retries.h"
+#include "adapters/app/run_again.h"
 #include "adapters/app/run_checks.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
@@ -39,14 +40,6 @@ namespace {
 // Path of a program beside this one.
 fs::path program(const std::string& name) {
     return fs::read_symlink("/proc/self/exe").parent_path() / name;
-}
-
-// True if the run continues in the folder of its checkpoint, whose results must then
-// stay.
-bool goes_on_in(const fs::path& out, const RunOptions& options) {
-    if (options.restart.empty()) return false;
-    std::error_code none;  // false where one of them is not there
-    return fs::equivalent(coupler::restart_folder(options.restart, out), out, none);
 }
 
 // Command lines of all participants, the user's program and the controller included.
@@ -149,7 +142,7 @@ void take_run_folder(const fs::path& out, const RunOptions& options,
             "take another folder with --out",
             out.string(), lock.owner()));
     lock.sign("magfsi run");
-    if (goes_on_in(out, options)) {
+    if (goes_on_in(out, options.restart)) {
         fs::remove(out / "summary.json");
         return;
     }
@@ -331,13 +324,12 @@ int run(RunOptions options) {
     const auto solids = bodies::to_bodies(scene);
     check_memory(scene, solids);
     check_structure_program(scene, options);
+    if (options.ranks.empty()) options.ranks = ranks_of_run(scene, options.scene);
     options.ranks = choose_ranks(scene, solids, options.ranks);
     // explain() builds obstacles, markers and steps, so that a scene that cannot run is
     // refused as bad input before anything is written or started.
     const auto warned = warnings(explain(scene, solids, options.ranks));
-    const fs::path out =
-        options.out.empty() ? coupler::default_out(scene.name) : options.out;
-    if (options.out.empty()) check_default_out(scene, out);
+    const fs::path out = run_folder(scene, options);
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, run_plan(scene));
     if (scene.control) need_controller();

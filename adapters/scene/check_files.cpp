@@ -12,6 +12,7 @@
 
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
+#include "adapters/scene/named_files.h"
 
 namespace magfsi::scene {
 
@@ -125,50 +126,33 @@ void check_files(const Scene& scene, const Marks& marks) {
     }
 }
 
-// Collects every file of the scene, then drops those inside its folder.
-std::vector<fs::path> files_elsewhere(const Scene& scene) {
+std::vector<fs::path> files_of(const Scene& scene) {
     std::vector<fs::path> files;
-    const auto add_table = [&](const FieldLaw& law) {
-        const auto* table = std::get_if<VectorTable>(&law);
-        if (table && !table->source.empty()) files.emplace_back(table->source);
+    const auto add = [&](const std::string& file) { files.emplace_back(file); };
+    for_each_named_file(scene, add);
+    const auto add_rows = [&](const auto* table) {
+        if (table && !table->source.empty()) add(table->source);
     };
     if (scene.magnetic_field) {
-        if (scene.magnetic_field->uniform) add_table(scene.magnetic_field->course);
-        for (const FieldTerm& term : scene.magnetic_field->plus) add_table(term.law);
-        for (const FieldSource& source : scene.magnetic_field->sources) {
-            if (const auto* grid = std::get_if<GridField>(&source.shape))
-                files.emplace_back(grid->file);
-        }
+        if (scene.magnetic_field->uniform)
+            add_rows(std::get_if<VectorTable>(&scene.magnetic_field->course));
+        for (const FieldTerm& term : scene.magnetic_field->plus)
+            add_rows(std::get_if<VectorTable>(&term.law));
     }
-    for (const Body& body : scene.bodies) {
-        if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
-            files.emplace_back(mesh->file);
-        if (const auto* mesh = std::get_if<VoxelMesh>(&body.mesh))
-            files.emplace_back(mesh->file);
-        if (!body.magnetization) continue;
-        if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
-            files.emplace_back(table->file);
-    }
-    if (scene.control) files.emplace_back(scene.control->script);
-    for (const Boundary& side : scene.fluid.value_or(Fluid{}).boundaries) {
-        if (!side.inlet.course) continue;
-        const auto* table = std::get_if<InletTable>(&*side.inlet.course);
-        if (table && !table->source.empty()) files.emplace_back(table->source);
-    }
-    for (const Obstacle& obstacle : scene.fluid.value_or(Fluid{}).obstacles) {
-        if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
-            files.emplace_back(surface->file);
-    }
-    if (scene.fluid && scene.fluid->openfoam) {
-        const OpenFoam& openfoam = *scene.fluid->openfoam;
-        for (const auto& file : {openfoam.schemes, openfoam.solution, openfoam.functions})
-            if (file) files.emplace_back(*file);
-    }
+    for (const Boundary& side : scene.fluid.value_or(Fluid{}).boundaries)
+        if (side.inlet.course) add_rows(std::get_if<InletTable>(&*side.inlet.course));
+    for (fs::path& file : files) file = fs::weakly_canonical(fs::absolute(file));
+    std::ranges::sort(files);
+    const auto twice = std::ranges::unique(files);
+    files.erase(twice.begin(), twice.end());
+    return files;
+}
+
+std::vector<fs::path> files_elsewhere(const Scene& scene) {
+    std::vector<fs::path> files = files_of(scene);
     const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder / "."));
-    std::erase_if(files, [&](fs::path& file) {
-        file = fs::weakly_canonical(fs::absolute(file));  // resolves links
-        const std::string from_folder = file.lexically_relative(folder).string();
-        return !from_folder.starts_with("..");
+    std::erase_if(files, [&](const fs::path& file) {
+        return !file.lexically_relative(folder).string().starts_with("..");
     });
     return files;
 }

@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "adapters/scene/field.h"
 #include "adapters/scene/keys.h"
+#include "adapters/scene/named_files.h"
 #include "coupler/hash.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/step/clock.h"
@@ -35,6 +39,21 @@ std::uint64_t scene_hash(const Scene& scene) {
     return coupler::hash_of(nlohmann::json(effective_scene(scene)).dump());
 }
 
+namespace {
+
+// A file counts by its content, wherever it lies; a script, which is often mended between
+// two starts, by its name.
+std::string content_of(const std::string& file) {
+    const std::filesystem::path path(file);
+    std::ifstream in(path, std::ios::binary);
+    if (!in || path.extension() == ".py") return path.filename().string();
+    std::ostringstream text;
+    text << in.rdbuf();
+    return fmt::format("{:016x}", coupler::hash_of(text.str()));
+}
+
+}  // namespace
+
 // Resets all options that change no state before the end of a run: its length, files,
 // waiting times and the reactions to faults.
 std::uint64_t state_hash(const Scene& scene) {
@@ -54,6 +73,7 @@ std::uint64_t state_hash(const Scene& scene) {
         if (!openfoam.schemes && !openfoam.solution) endless.fluid->openfoam.reset();
     }
     if (endless.control) endless.control->timeout_s = Control{}.timeout_s;
+    for_each_named_file(endless, [](std::string& file) { file = content_of(file); });
     return scene_hash(endless);
 }
 

@@ -24,7 +24,8 @@ std::string law_key(const FieldLaw& law);
 std::uint64_t scene_hash(const Scene& scene);
 
 // Hash without what changes no state of the run: time.end, report, timeouts, the overlap
-// check and the reaction to a divergence. Scenes with equal state hashes go through the
+// check and the reaction to a divergence. Files count by their content, wherever they
+// lie; a script by its name. Scenes with equal state hashes go through the
 // same states, so that a run may continue from a checkpoint of another.
 std::uint64_t state_hash(const Scene& scene);
 
@@ -85,8 +86,9 @@ std::vector<std::string> idle_effects(const Scene& scene);
 // steps of the coarsest level of a refined grid, at which outputs are made.
 std::vector<std::string> rounded_intervals(const Scene& scene);
 
-// Files that the scene names outside its own folder, as full paths with links resolved. A
-// scene may come from a stranger, so explain lists them.
+// Files that the scene names, as full paths with links resolved, each once; and those of
+// them outside of its own folder: a scene may come from a stranger, so explain lists them.
+std::vector<std::filesystem::path> files_of(const Scene& scene);
 std::vector<std::filesystem::path> files_elsewhere(const Scene& scene);
 
 }  // namespace magfsi::scene

@@ -13,6 +13,7 @@
 #include "adapters/scene/document.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/keys.h"
+#include "adapters/scene/named_files.h"
 
 namespace magfsi::scene {
 
@@ -20,23 +21,6 @@ namespace {
 
 // Size limit of a scene file: larger than any scene, and still read quickly.
 constexpr std::uintmax_t largest_scene_bytes = 4'000'000;
-
-// An empty file is left to the parser; a folder or a device is refused first, since
-// reading it could block.
-std::string file_text(const std::filesystem::path& file) {
-    std::error_code none;
-    require_regular_file(file, {file.string()});
-    const std::uintmax_t bytes = std::filesystem::file_size(file, none);
-    require(none || bytes <= largest_scene_bytes, {file.string()},
-            fmt::format("a scene file of {} bytes", bytes),
-            fmt::format("at most {} bytes", largest_scene_bytes));
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
-    if (!stream.is_open() || stream.bad())
-        refuse({file.string()}, "a file that cannot be read", "readable scene files");
-    return text.str();
-}
 
 // Scales a vector to unit length. A zero vector is left as it is; check_scene refuses it.
 void normalise(Vec3& v) {
@@ -53,14 +37,6 @@ void complete(Coupling& coupling) {
             implicit ? SampledVelocity::linear : SampledVelocity::frozen;
 }
 
-// Makes the file names of grids relative to the scene's folder.
-void complete(MagneticField& field, const std::filesystem::path& folder) {
-    for (FieldSource& source : field.sources) {
-        if (auto* grid = std::get_if<GridField>(&source.shape))
-            grid->file = (folder / grid->file).string();
-    }
-}
-
 // Default forcing: no_slip where it is possible. A strength other than 1 has a meaning
 // only with the penalty method, so it selects that one.
 coupler::Forcing usual_forcing(const Scene& scene) {
@@ -72,32 +48,15 @@ coupler::Forcing usual_forcing(const Scene& scene) {
 // Fills in defaults that depend on other keys, and makes file names relative to the
 // scene's folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
+    for_each_named_file(
+        scene, [&](std::string& file) { file = (folder / file).string(); });
     for (Body& body : scene.bodies) {
-        if (auto* mesh = std::get_if<MeshFile>(&body.mesh))
-            mesh->file = (folder / mesh->file).string();
-        if (auto* mesh = std::get_if<VoxelMesh>(&body.mesh))
-            mesh->file = (folder / mesh->file).string();
         if (!body.magnetization) continue;
-        if (auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
-            table->file = (folder / table->file).string();
         auto* harmonic = std::get_if<HarmonicMagnetization>(&*body.magnetization);
         const auto* box = std::get_if<Box>(&body.mesh);
         if (harmonic && box && harmonic->wavelength_m == 0)
             harmonic->wavelength_m = box->size_m[harmonic->along];
     }
-    if (scene.control) scene.control->script = (folder / scene.control->script).string();
-    if (scene.fluid) {
-        for (Obstacle& obstacle : scene.fluid->obstacles) {
-            if (auto* surface = std::get_if<StlSurface>(&obstacle.shape))
-                surface->file = (folder / surface->file).string();
-        }
-        if (auto& openfoam = scene.fluid->openfoam) {
-            for (auto* file :
-                 {&openfoam->schemes, &openfoam->solution, &openfoam->functions})
-                if (*file) *file = (folder / **file).string();
-        }
-    }
-    if (scene.magnetic_field) complete(*scene.magnetic_field, folder);
     if (scene.gravity) normalise(scene.gravity->direction);
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
@@ -131,6 +90,23 @@ Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
 
 }  // namespace
 
+// An empty file is left to the parser; a folder or a device is refused first, since
+// reading it could block.
+std::string file_text(const std::filesystem::path& file) {
+    std::error_code none;
+    require_regular_file(file, {file.string()});
+    const std::uintmax_t bytes = std::filesystem::file_size(file, none);
+    require(none || bytes <= largest_scene_bytes, {file.string()},
+            fmt::format("a scene file of {} bytes", bytes),
+            fmt::format("at most {} bytes", largest_scene_bytes));
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (!stream.is_open() || stream.bad())
+        refuse({file.string()}, "a file that cannot be read", "readable scene files");
+    return text.str();
+}
+
 // Keys of the text replace the scene's; `plus` is emptied first, and the sources are
 // replaced as a whole. A gradient is refused, since the solvers hold it constant.
 MagneticField read_field(const std::string& text, const std::string& source,
@@ -148,7 +124,10 @@ MagneticField read_field(const std::string& text, const std::string& source,
     TreeReader reader(*node, field);
     keys(reader, *changed.magnetic_field);
     // The scene's own sources have their full paths already.
-    if (node->find("sources")) complete(*changed.magnetic_field, scene.folder);
+    if (node->find("sources"))
+        for_each_grid(*changed.magnetic_field, [&](std::string& file) {
+            file = (scene.folder / file).string();
+        });
     read_field_files(changed, Marks(root));
     check_magnetic_field(changed, Marks(root));
     return *changed.magnetic_field;
@@ -161,6 +140,11 @@ std::filesystem::path scene_file(const std::filesystem::path& path) {
     if (!std::filesystem::exists(file))
         refuse({file.string()}, "no such file",
                "a scene file, or a folder with a scene.yaml");
+    const std::filesystem::path run = file.parent_path();
+    require(file.filename() != "scene.json" || !std::filesystem::exists(run / "run.json"),
+            {file.string()}, "a scene as a run has read it, in numbers without units",
+            "scene files, and run folders",
+            fmt::format("give the folder, {}", run.empty() ? "." : run.string()));
     return file;
 }
 

@@ -116,6 +116,18 @@ void write_atomically(const std::filesystem::path& path, std::string_view text,
     file.commit();
 }
 
+void copy_atomically(const std::filesystem::path& from, const std::filesystem::path& to) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (fs::equivalent(from, to, error)) return;
+    error.clear();
+    fs::create_directories(to.parent_path(), error);
+    if (!error)
+        fs::copy_file(from, temporary_of(to), fs::copy_options::overwrite_existing, error);
+    if (error) throw FileError(to, error.value());
+    publish(to, Survives::kill);
+}
+
 std::string relative_to(const std::filesystem::path& file,
                         const std::filesystem::path& index) {
     const auto full = std::filesystem::absolute(file).lexically_normal();

@@ -81,6 +81,10 @@ class AtomicFile {
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Survives survives = Survives::kill);
 
+// Copies a file, unless both names are the same file's; makes the folder of the copy.
+// Throws FileError.
+void copy_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
+
 // The same for a file that another library writes: it writes and closes
 // temporary_of(path), then publish(path) renames it. publish throws FileError.
 std::filesystem::path temporary_of(std::filesystem::path path);

@@ -45,8 +45,11 @@ struct RunPlan {
     // Names of what the solvers leave in the run folder, beside the coupler's own files.
     std::vector<std::string> solver_folders;
 
-    // Texts for the run folder: the scene as given, and as read, in SI units (JSON).
-    std::string scene_as_given, scene_as_read;
+    // Texts for the run folder: the scene that runs again from there, as given if that
+    // differs (else ""), and as read, in SI units (JSON).
+    std::string scene, scene_as_given, scene_as_read;
+    // Files that the scene reads, and their names in the run folder.
+    std::vector<std::pair<std::filesystem::path, std::string>> scene_files;
     std::string machine;  // description of the machine
     // Texts for log and summary.
     std::vector<std::string> effects, absent_effects;
