@@ -113,10 +113,11 @@ void refuse_own_scene(const std::filesystem::path& scene_file,
     if (!std::filesystem::equivalent(scene_file, out / "scene.yaml", none) ||
         goes_on_in(out, restart))
         return;
-    throw std::invalid_argument(fmt::format(
-        "--out: found {}, the folder of the scene itself, which would be moved aside with "
-        "what lies there; allowed are other folders",
-        out.string()));
+    throw std::invalid_argument(
+        fmt::format("--out: found {}, the folder of the scene itself, which would be "
+                    "moved aside with "
+                    "what lies there; allowed are other folders",
+                    out.string()));
 }
 
 void require_solver(const scene::Scene& scene, scene::FluidSolver solver) {
@@ -138,10 +139,10 @@ int run_scene(coupler::Role role, const std::string& description, int argc, char
         [&](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
             scene::Scene scene = scene::read_scene(arguments.scene, arguments.overrides);
             scene.time.halvings = arguments.halvings;
-            refuse_own_scene(scene::scene_file(arguments.scene),
-                             arguments.out.empty() ? coupler::default_out(scene.name)
-                                                   : arguments.out,
-                             arguments.restart);
+            refuse_own_scene(
+                scene::scene_file(arguments.scene),
+                arguments.out.empty() ? coupler::default_out(scene.name) : arguments.out,
+                arguments.restart);
             coupler::RunPlan plan = run_plan(scene);
             keep(scene::kept_scene(arguments.scene, arguments.overrides, scene), plan);
             plan.scene_as_read = scene::effective_scene(scene).dump(2) + "\n";

@@ -87,7 +87,8 @@ std::vector<std::string> idle_effects(const Scene& scene);
 std::vector<std::string> rounded_intervals(const Scene& scene);
 
 // Files that the scene names, as full paths with links resolved, each once; and those of
-// them outside of its own folder: a scene may come from a stranger, so explain lists them.
+// them outside of its own folder: a scene may come from a stranger, so explain lists
+// them.
 std::vector<std::filesystem::path> files_of(const Scene& scene);
 std::vector<std::filesystem::path> files_elsewhere(const Scene& scene);
 

@@ -26,8 +26,12 @@ bool is_scalar(const Node& node) {
 
 void emit(YAML::Emitter& out, const Node& node) {
     switch (node.type) {
-        case Node::Type::null: out << YAML::Null; return;
-        case Node::Type::scalar: out << node.scalar; return;
+        case Node::Type::null:
+            out << YAML::Null;
+            return;
+        case Node::Type::scalar:
+            out << node.scalar;
+            return;
         case Node::Type::sequence:
             if (std::ranges::all_of(node.children, is_scalar)) out << YAML::Flow;
             out << YAML::BeginSeq;

@@ -15,7 +15,8 @@ namespace magfsi::scene {
 // The folder of kept files, beside the scene.
 constexpr const char* kept_files_folder = "scene_files";
 
-// A file that the scene reads, and its name from the run folder on: scene_files/robot.stl.
+// A file that the scene reads, and its name from the run folder on:
+// scene_files/robot.stl.
 struct KeptFile {
     std::filesystem::path from;
     std::string name;
@@ -28,7 +29,8 @@ struct KeptScene {
     std::vector<KeptFile> files;
 };
 
-// `path` and `overrides` as for read_scene, which has returned `scene`. Throws SceneError.
+// `path` and `overrides` as for read_scene, which has returned `scene`. Throws
+// SceneError.
 KeptScene kept_scene(const std::filesystem::path& path,
                      const std::vector<std::string>& overrides, const Scene& scene);
 

@@ -48,8 +48,8 @@ coupler::Forcing usual_forcing(const Scene& scene) {
 // Fills in defaults that depend on other keys, and makes file names relative to the
 // scene's folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
-    for_each_named_file(
-        scene, [&](std::string& file) { file = (folder / file).string(); });
+    for_each_named_file(scene,
+                        [&](std::string& file) { file = (folder / file).string(); });
     for (Body& body : scene.bodies) {
         if (!body.magnetization) continue;
         auto* harmonic = std::get_if<HarmonicMagnetization>(&*body.magnetization);
@@ -125,9 +125,8 @@ MagneticField read_field(const std::string& text, const std::string& source,
     keys(reader, *changed.magnetic_field);
     // The scene's own sources have their full paths already.
     if (node->find("sources"))
-        for_each_grid(*changed.magnetic_field, [&](std::string& file) {
-            file = (scene.folder / file).string();
-        });
+        for_each_grid(*changed.magnetic_field,
+                      [&](std::string& file) { file = (scene.folder / file).string(); });
     read_field_files(changed, Marks(root));
     check_magnetic_field(changed, Marks(root));
     return *changed.magnetic_field;

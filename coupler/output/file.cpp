@@ -123,7 +123,8 @@ void copy_atomically(const std::filesystem::path& from, const std::filesystem::p
     error.clear();
     fs::create_directories(to.parent_path(), error);
     if (!error)
-        fs::copy_file(from, temporary_of(to), fs::copy_options::overwrite_existing, error);
+        fs::copy_file(from, temporary_of(to), fs::copy_options::overwrite_existing,
+                      error);
     if (error) throw FileError(to, error.value());
     publish(to, Survives::kill);
 }

@@ -142,8 +142,8 @@ namespace {
 constexpr const char* results[] = {"summary.json", "probes.csv", "structure.pvd",
                                    "fluid.pvd"};
 constexpr const char* other_files[] = {
-    "fields",      "run.log",     "run.json",   "scene.yaml", "scene_as_given.yaml",
-    "scene_files", "scene.json",  "report.html", "trace.json", "lammps.in",
+    "fields",      "run.log",    "run.json",    "scene.yaml", "scene_as_given.yaml",
+    "scene_files", "scene.json", "report.html", "trace.json", "lammps.in",
     "lammps.log",  "bodies.data"};
 
 bool is_checkpoint(const std::string& name) {

@@ -150,9 +150,10 @@ void Session::take_over(bool goes_on) {
 }
 
 void Session::record_run(bool goes_on) const {
-    for (const auto& [name, text] : {std::pair{"scene.yaml", &plan().scene},
-                                     std::pair{"scene_as_given.yaml", &plan().scene_as_given},
-                                     std::pair{"scene.json", &plan().scene_as_read}})
+    for (const auto& [name, text] :
+         {std::pair{"scene.yaml", &plan().scene},
+          std::pair{"scene_as_given.yaml", &plan().scene_as_given},
+          std::pair{"scene.json", &plan().scene_as_read}})
         if (!text->empty()) output::write_atomically(state_.out / name, *text);
     for (const auto& [file, name] : plan().scene_files)
         output::copy_atomically(file, state_.out / name);

@@ -86,8 +86,7 @@ TEST(KeptScene, FilesOfOneNameStayApart) {
     };
     const fs::path file = folder / "two.yaml";
     std::ofstream(file) << "name: two\ntime: {end: 1 ms}\nbodies:\n  a: "
-                        << of("left", "0 m") << "\n  b: " << of("right", "50 mm")
-                        << "\n";
+                        << of("left", "0 m") << "\n  b: " << of("right", "50 mm") << "\n";
     const KeptScene kept = kept_scene(file, {}, read_scene(file));
     ASSERT_EQ(kept.files.size(), 2U);
     EXPECT_EQ(kept.files[0].name, "scene_files/ball.msh");
