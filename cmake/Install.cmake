@@ -42,6 +42,7 @@ install(FILES adapters/app/launcher/completion.bash
 install(FILES adapters/app/launcher/completion.zsh
   DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _magfsi)
 install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES CITATION.cff DESTINATION ${magfsi_share})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 configure_file(cmake/install/magfsi.in ${magfsi_generated}/magfsi @ONLY)
 install(PROGRAMS ${magfsi_generated}/magfsi DESTINATION ${CMAKE_INSTALL_BINDIR})

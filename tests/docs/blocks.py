@@ -36,7 +36,7 @@ NO_CODE = ("text", "{literalinclude}", "{eval-rst}")
 ELSEWHERE = {("docs/python.md", "python"): "python_api"}
 # What other tests run, by their names; here the options are looked at.
 WHOLE = {"python": "documentation_figures", "bench": "documentation_figures",
-         "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing",
+         "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing", "cite": "install_words",
          "compare": "compare_both_fluids"}
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)

@@ -133,6 +133,62 @@ class NearMisses(unittest.TestCase):
         self.assertIn("explain run", done.stderr)
 
 
+class Cite(unittest.TestCase):
+    def test_magfsi_and_the_paper(self):
+        checkout = Checkout()
+        shutil.copy(testing.ROOT / "CITATION.cff", checkout.top)
+        done = checkout.call("cite")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(re.findall(r"^@(\w+)\{(\w+),$", done.stdout, re.M),
+                         [("software", "magfsi"), ("article", "ye2021")])
+        self.assertEqual(done.stdout.count("{"), done.stdout.count("}"))
+        version = re.search(r"^project\(magfsi VERSION ([0-9.]+)", (testing.ROOT / "CMakeLists.txt").read_text(),
+                            re.M)[1]
+        self.assertIn(f"version = {{{version}}}", done.stdout)
+        self.assertIn("author = {Ye, Huilin and Li, Ying and Zhang, Teng}", done.stdout)
+        self.assertIn("pages = {3560--3568}", done.stdout)
+        self.assertFalse(checkout.told.exists())
+
+
+class Film(unittest.TestCase):
+    """On a machine without ffmpeg; what is built stands."""
+
+    def setUp(self):
+        self.checkout = Checkout()
+        for part in testing.ROOT.glob("packages*.txt"):
+            shutil.copy(part, self.checkout.top)
+        self.checkout.tool("dpkg-query", "echo -n unknown")
+        self.checkout.tool("apt-get", f'echo apt-get "$@" >>{self.checkout.told}\n'
+                           "echo 0 upgraded, 86 newly installed, 0 to remove\necho Need to get 47 MB of archives.")
+        self.command = [self.checkout.top / "magfsi", "film", "runs/none"]
+        # Without the folder where a real ffmpeg may be.
+        tools = Path(testing.new_folder())
+        for name in ("bash", "env", "dirname", "readlink", "id", "sed", "grep", "perl", "sleep", "true"):
+            (tools / name).symlink_to(shutil.which(name))
+        self.environment = {"PATH": f"{self.checkout.bin}:{tools}", "HOME": str(tools)}
+        self.checkout.tool("sudo", 'exec "$@"')
+
+    def test_says_how_much_it_installs(self):
+        done = subprocess.run(self.command, env=self.environment, capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL)
+        self.assertIn("film needs ffmpeg", done.stderr)
+        self.assertIn("86 newly installed", done.stderr)
+        self.assertIn("Need to get 47 MB", done.stderr)
+        self.assertIn("-y -qq --no-install-recommends ffmpeg", self.checkout.told.read_text())
+
+    def test_asks_at_a_terminal(self):
+        master, slave = os.openpty()
+        os.write(master, b"n\n")
+        done = subprocess.run(self.command, env=self.environment, stdin=slave, stdout=subprocess.PIPE,
+                              stderr=slave)
+        os.close(slave)
+        said = os.read(master, 1 << 16).decode()
+        os.close(master)
+        self.assertEqual(done.returncode, 1, said)
+        self.assertIn("install it? [Y/n]", said)
+        self.assertNotIn(" -y ", self.checkout.told.read_text())
+
+
 class New(unittest.TestCase):
     def test_a_scene_of_ones_own(self):
         folder = Path(testing.new_folder())
@@ -154,6 +210,17 @@ class New(unittest.TestCase):
             checked = subprocess.run([runs.BIN / "magfsi", "check", folder / name],
                                      capture_output=True, text=True)
             self.assertEqual(checked.returncode, 0, checked.stderr)
+
+    def test_what_its_comments_and_scripts_name_is_there(self):
+        folder, named = Path(testing.new_folder()), 0
+        for scene in (testing.ROOT / "tutorials").glob("*/scene.yaml"):
+            call("new", scene.parent.name, "--like", scene.parent.name, cwd=folder)
+            texts = [file.read_text() for file in (scene, *scene.parent.glob("*.py"))]
+            for file in scene.parent.iterdir():
+                if any(file.name in text for text in texts) and file.suffix not in (".md", ".png"):
+                    named += 1
+                    self.assertTrue((folder / scene.parent.name / file.name).exists(), file)
+        self.assertGreater(named, 20)
 
     def test_what_is_wrong_is_said_and_nothing_written(self):
         folder = Path(testing.new_folder())

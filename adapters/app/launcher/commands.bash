@@ -25,6 +25,7 @@ figure|module|curves of runs for a paper: PDF and SVG, width and fonts for print
 render|module|an instant of any run, lit, with vortices
 film|module|any run as a film (MP4)
 gallery|module|docs/index.html: every tutorial's page, picture and cost
+cite|module|magfsi and the paper whose model it computes, as BibTeX
 =accuracy and search
 cost|module|the error bars of a scene, and what 10, 5, 2 and 1 % cost
 study|module|a scene over a product of settings: error against seconds
@@ -142,12 +143,16 @@ command_new() {
     say "$name is a copy of the tutorial $like: magfsi explain $name, magfsi run $name"
 }
 
-# start_scene FOLDER TUTORIAL
+# start_scene FOLDER TUTORIAL: with its scripts, and all that these and the scene name, also in comments
 start_scene() {
     local file
     mkdir -p "$1"
-    for file in "$2"/*.py "$2"/*.msh "$2"/*.stl; do
-        [ ! -f "$file" ] || cp "$file" "$1/"
+    for file in "$2"/*; do
+        case "$file" in
+            */scene.yaml | *.md | *.png) ;;
+            *.py) cp "$file" "$1/" ;;
+            *) ! grep -qsF -- "$(basename "$file")" "$2"/scene.yaml "$2"/*.py || cp "$file" "$1/" ;;
+        esac
     done
     {
         # Editors with a YAML language server complete and check the keys by it.
@@ -195,7 +200,7 @@ dispatch() {
         -h | --help) [ "$word" = lammps ] || [ "$word" = python ] || { help_of "$word"; exit 0; } ;;
     esac
     case "$word" in
-        new | completion | python) ;;
+        new | completion | python | cite) ;;
         *) prepare "$word" "$@" ;;
     esac
     for argument in "$@"; do arguments+=("$(existing_scene "$argument")"); done
