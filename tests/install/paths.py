@@ -171,7 +171,7 @@ class Paths(unittest.TestCase):
     def test_the_package(self):
         import magfsi
         run = magfsi.run(self.top / "die szene.yaml", out=self.top / "paket ü")
-        self.assertEqual(len(run.times_s), 3)
+        self.assertEqual(len(run.field_times_s), 3)
 
     def test_new_and_the_launcher(self):
         """A checkout in such a folder, unbuilt: what needs no build."""

@@ -64,7 +64,8 @@ class Runs(unittest.TestCase):
                          runs.read_table(self.run_.folder / "probes.csv", float))
 
     def test_fields_are_those_of_the_instant(self):
-        self.assertEqual(len(self.run_.times_s), 5)
+        self.assertEqual(self.run_.times_s, self.run_.columns["t[s]"])
+        self.assertEqual(len(self.run_.field_times_s), 5)
         fields = self.run_.fields("1.1 ms")
         self.assertAlmostEqual(fields.time_s, 1e-3)
         middle = fields.points.mean(axis=0)

@@ -205,7 +205,12 @@ class Run:
 
     @property
     def times_s(self) -> list[float]:
-        """Instants of which the bodies' fields are there."""
+        """Times of the rows of `columns`."""
+        return self.columns["t[s]"]
+
+    @property
+    def field_times_s(self) -> list[float]:
+        """Times at which the bodies' fields are there."""
         return [time_s for time_s, _ in runs.frames(self.folder)]
 
     def fields(self, time: str | float) -> Fields:
