@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Scenes and runs from Python, as a user's script has them."""
+import ast
 import json
 import os
 import shutil
@@ -118,13 +119,15 @@ class Page(unittest.TestCase):
         text = text.replace('"tutorials/', f'"{testing.ROOT}/tutorials/')
         text = text.replace('"0.2 mm"', '"0.26666666666667 mm"').replace('"runs/', f'"{folder()}/')
         blocks = [part.split("```")[0] for part in text.split("```python\n")[1:]]
-        self.assertEqual(len(blocks), 3)
+        self.assertEqual(len(blocks), 5)
         done = subprocess.run([sys.executable, "-c", "".join(blocks)], capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        viscosity, _, slip, shape, outcome, height = done.stdout.splitlines()
+        viscosity, _, slip, shape, times, sweep, outcome, height = done.stdout.splitlines()
         self.assertEqual((viscosity, shape, outcome), ("1e-06", "(378, 3)", "stopped"))
         self.assertLess(float(slip), 0.05)
+        self.assertEqual(len(times.split()), 2)
+        self.assertEqual(len(set(ast.literal_eval(sweep).values())), 3)
         self.assertAlmostEqual(float(height), 6e-3, delta=0.1e-3)
 
 
