@@ -88,6 +88,27 @@ struct Helix {
 
 using MeshOptions = std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix>;
 
+// --- parts of a body, in its own frame ---
+
+struct BallShape {
+    Vec3 centre_m{};
+    double diameter_m = 0;
+    bool operator==(const BallShape&) const = default;
+};
+// The elements whose centre lies in each of the shapes that are given (mesh/region.h). An
+// absent shape or an empty polygon does not restrict.
+struct RegionShape {
+    std::optional<std::array<Vec3, 2>> box_m;
+    std::vector<std::array<double, 2>> polygon_xy_m;
+    std::optional<BallShape> ball;
+    bool operator==(const RegionShape&) const = default;
+};
+struct NamedRegion {
+    std::string name;
+    RegionShape shape;
+    bool operator==(const NamedRegion&) const = default;
+};
+
 // --- material and element -----------------------------------------------------------
 
 // Neo-Hookean solid, eq. (1) of the paper.
@@ -145,16 +166,15 @@ struct HarmonicMagnetization {
     int into = 2;
 };
 
-// Domain of one magnetisation: elements whose centre is inside the box (bounds included)
-// and inside the polygon in the x-y plane. An absent box or an empty polygon does not
-// restrict.
+// Domain of one magnetisation.
 struct MagneticDomain {
-    std::optional<std::array<Vec3, 2>> box_m;
-    std::vector<std::array<double, 2>> polygon_xy_m;
+    RegionShape shape;
     Vec3 vector_a_m{};
 };
+// The first domain that holds an element's centre wins. Elements in none are not
+// magnetised.
 struct DomainMagnetization {
-    std::vector<MagneticDomain> domains;  // the first that contains a centre wins
+    std::vector<MagneticDomain> domains;
 };
 
 // One vector for the elements of some regions of the mesh.

@@ -140,6 +140,17 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         100 * off / fluid);
 }
 
+// Each region with its number of elements.
+std::string explain_regions(const structure::Mesh& mesh) {
+    std::vector<std::string> regions;
+    for (std::size_t r = 0; r < mesh.region_names.size(); ++r)
+        regions.push_back(
+            fmt::format("{} ({})", mesh.region_names[r],
+                        std::ranges::count(mesh.region, static_cast<int>(r))));
+    return fmt::format("    regions, with numbers of elements: {}\n",
+                       fmt::join(regions, ", "));
+}
+
 // Error of the volume of a body of cubes, whose surface has steps, against the closed
 // surface of the STL file; also with cubes weighed by their share of the inside.
 std::string explain_voxels(const structure::Body& solid,
@@ -148,10 +159,9 @@ std::string explain_voxels(const structure::Body& solid,
     const double surface_m3 = bodies::surface_volume_m3(voxels);
     const double thin_m =
         std::ranges::min(structure::bounds(solid.mesh.nodes).extent_m());
-    double weighed_m3 = solid.mesh.region.empty() ? volume_m3 : 0;
-    for (const int region : solid.mesh.region)
-        weighed_m3 +=
-            bodies::weight_of_region(solid.mesh, region) * std::pow(voxels.spacing_m, 3);
+    double weighed_m3 = solid.mesh.solid_share.empty() ? volume_m3 : 0;
+    for (const double share : solid.mesh.solid_share)
+        weighed_m3 += share * std::pow(voxels.spacing_m, 3);
     return fmt::format(
         "    cubes of {:.4g} mm, {:.0f} across the thinnest side; their volume against "
         "the surface's: {}, weighed by what they hold of it: {}\n",
@@ -326,10 +336,7 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     text += fmt::format("{} elements {}, {} nodes\n", solid.mesh.elements.size(),
                         scene::name_of(body.element), solid.mesh.nodes.size());
     const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh);
-    if (!voxels && !solid.mesh.region_names.empty()) {
-        text +=
-            fmt::format("    regions: {}\n", fmt::join(solid.mesh.region_names, ", "));
-    }
+    if (!solid.mesh.region_names.empty()) text += explain_regions(solid.mesh);
     for (const auto& entry : body.material_regions) {
         text +=
             fmt::format("    {}: G {:.4g} Pa, lambda {:.4g} Pa, density {:.4g} kg/m3\n",

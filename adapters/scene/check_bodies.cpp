@@ -111,12 +111,12 @@ void check_rollers(const Body& body, const Marks& marks) {
 template <class Item>
 void check_regions(const Body& body, const std::vector<Item>& list, Path here,
                    std::string_view name, const Marks& marks) {
-    require(list.empty() || !std::holds_alternative<Box>(body.mesh), marks.key(here),
-            fmt::format("{} of a block, whose mesh has no regions", name),
-            "them for the meshes oblique and gmsh");
-    require(list.empty() || !std::holds_alternative<VoxelMesh>(body.mesh),
-            marks.key(here), fmt::format("{} of cubes, which have no regions", name),
-            "them for the meshes oblique and gmsh");
+    const bool has_own = std::holds_alternative<ObliquePlate>(body.mesh) ||
+                         std::holds_alternative<MeshFile>(body.mesh);
+    require(list.empty() || has_own || !body.regions.empty(), marks.key(here),
+            fmt::format("{} of a mesh without regions", name),
+            "them for the meshes oblique and gmsh, and for bodies with `regions`",
+            fmt::format("name parts of it by shapes: bodies.{}.regions", body.name));
     std::set<std::string> seen;
     for (std::size_t i = 0; i < list.size(); ++i) {
         for (const std::string& region : list[i].regions)
@@ -126,8 +126,23 @@ void check_regions(const Body& body, const std::vector<Item>& list, Path here,
     }
 }
 
-// The two axes of a harmonic magnetisation span a plane; boxes of domains must not be
-// empty.
+// Boxes must not be empty.
+void check_box(const std::optional<std::array<Vec3, 2>>& box_m, const Origin& here,
+               const std::string& what) {
+    for (std::size_t k = 0; box_m && k < 3; ++k)
+        require((*box_m)[0][k] < (*box_m)[1][k], here,
+                fmt::format("{} that is empty along {}", what, axis_names[k]),
+                "[lower corner, upper corner]");
+}
+
+void check_shapes(const Body& body, const Marks& marks) {
+    for (const NamedRegion& region : body.regions)
+        check_box(region.shape.box_m,
+                  marks.value({"bodies", body.name, "regions", region.name, "box"}),
+                  "a box");
+}
+
+// The two axes of a harmonic magnetisation span a plane.
 void check_magnetization(const Body& body, const Marks& marks) {
     if (!body.magnetization) return;
     if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization))
@@ -139,15 +154,10 @@ void check_magnetization(const Body& body, const Marks& marks) {
         check_regions(body, m->regions, {"bodies", body.name, "magnetization", "regions"},
                       "magnetization regions", marks);
     const auto* domains = std::get_if<DomainMagnetization>(&*body.magnetization);
-    for (std::size_t i = 0; domains && i < domains->domains.size(); ++i) {
-        const auto& box = domains->domains[i].box_m;
-        for (int k = 0; box && k < 3; ++k)
-            require((*box)[0][k] < (*box)[1][k],
-                    marks.value({"bodies", body.name, "magnetization", "domains"}),
-                    fmt::format("a domain box (number {}) that is empty along {}", i + 1,
-                                axis_names[k]),
-                    "[lower corner, upper corner]");
-    }
+    for (std::size_t i = 0; domains && i < domains->domains.size(); ++i)
+        check_box(domains->domains[i].shape.box_m,
+                  marks.value({"bodies", body.name, "magnetization", "domains"}),
+                  fmt::format("a domain box (number {})", i + 1));
 }
 
 // Named faces of a body of cubes: boxes that may be flat but not inverted, with names of
@@ -337,6 +347,7 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         check_clamps(body, marks);
         check_rollers(body, marks);
         check_prescribed_motion(scene, body, marks);
+        check_shapes(body, marks);
         check_regions(body, body.material_regions,
                       {"bodies", body.name, "material_regions"}, "material_regions",
                       marks);

@@ -66,16 +66,34 @@ void keys(Io& io, HarmonicMagnetization& wave) {
        AxisRef{wave.into});
 }
 
+// Keys of `regions.NAME.ball` and `magnetization.domains[].ball`.
+template <class Io>
+void keys(Io& io, BallShape& ball) {
+    io(quantity("centre", "m", "Centre of the ball, in the body's frame."), ball.centre_m);
+    io(quantity("diameter", "m", "Diameter of the ball.").above(0), ball.diameter_m);
+}
+
+// Keys of `regions.NAME`, and of an item of magnetization.domains.
+template <class Io>
+void keys(Io& io, RegionShape& shape) {
+    io(quantity("box", "m", "Lower and upper corner of a box, in the body's frame.").alternative(),
+       shape.box_m);
+    io(quantity("polygon", "m", "Corners of a polygon in the x-y plane, in the body's frame.")
+           .rows(3, 10000).alternative(),
+       shape.polygon_xy_m);
+    io(key("ball", "Ball that holds the centres of the elements.").alternative(), shape.ball);
+}
+
+// Keys of `regions.NAME`.
+template <class Io>
+void keys(Io& io, NamedRegion& region) {
+    keys(io, region.shape);
+}
+
 // Keys of `magnetization.domains[]`.
 template <class Io>
 void keys(Io& io, MagneticDomain& domain) {
-    io(quantity("box", "m",
-           "Lower and upper corner of the domain, in the body's frame.").alternative(),
-       domain.box_m);
-    io(quantity("polygon", "m",
-           "Corners of the domain in the x-y plane, in the body's frame.")
-           .rows(3, 10000).alternative(),
-       domain.polygon_xy_m);
+    keys(io, domain.shape);
     io(quantity("vector", "A/m", "Magnetization vector of the domain."), domain.vector_a_m);
 }
 
@@ -153,7 +171,7 @@ void keys(Io& io, Magnetization& magnetization) {
            "phase) along + sin(...) into], where s counts from the lower end."),
         key("domains",
            "List of domains. Elements whose centre lies in a domain carry its vector; "
-           "the first domain wins."),
+           "the first domain wins. Elements in no domain carry none."),
         key("regions",
            "List of vectors for regions of the mesh. A region that is not named carries "
            "none."),
@@ -303,6 +321,11 @@ void keys(Io& io, Body& body) {
            "Mesh of a block wound about the axis x, from x = 0 and the side of y. Its "
            "faces are named as a block's."));
     });
+    io(key("regions",
+           "Parts of the mesh by shapes, for other materials and magnetizations. An element "
+           "belongs to the region whose shape holds its centre, the first by name; those in "
+           "none keep the mesh's own region, or are called rest.").optional(),
+       body.regions);
     io(key("element", "full: the paper's element, for four and more layers; assumed_strain: accurate "
            "in every mode with one layer, for elements of any proportion.").by_default(),
        body.element);

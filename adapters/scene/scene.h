@@ -90,6 +90,7 @@ struct Body {
     MeshOptions mesh;
     // Place of the mesh in the file, for faults that only the built mesh shows.
     std::string mesh_place;
+    std::vector<NamedRegion> regions;  // sorted by name; the first that holds wins
     ElementVariant element = ElementVariant::assumed_strain;
     Inertia inertia = Inertia::lumped;
     Material material;

@@ -76,6 +76,7 @@ Mesh refined(const Mesh& mesh) {
                 nodes[a] = middles.of(parents(mesh.elements[e], halves));
             }
             if (!mesh.region.empty()) out.region.push_back(mesh.region[e]);
+            if (!mesh.solid_share.empty()) out.solid_share.push_back(mesh.solid_share[e]);
         }
     }
     out.centre_line = mesh.centre_line;

@@ -9,35 +9,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "structure/mesh/region.h"
 #include "structure/refuse.h"
 #include "structure/table_file.h"
 
 namespace magfsi::structure {
 namespace {
-
-// True for points inside by the even-odd rule: a ray towards larger x crosses the outline
-// an odd number of times.
-bool inside_polygon(std::span<const std::array<double, 2>> outline, const Vec3& point) {
-    bool inside = false;
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        const auto& [xi, yi] = outline[i];
-        const auto& [xj, yj] = outline[j];
-        if ((yi > point[1]) == (yj > point[1])) continue;
-        if (point[0] < xi + (xj - xi) * (point[1] - yi) / (yj - yi)) inside = !inside;
-    }
-    return inside;
-}
-
-bool holds(const MagneticDomain& domain, const Vec3& point) {
-    if (domain.box_m) {
-        for (int d = 0; d < 3; ++d) {
-            if (point[d] < (*domain.box_m)[0][d] || point[d] > (*domain.box_m)[1][d]) {
-                return false;
-            }
-        }
-    }
-    return domain.polygon_xy_m.empty() || inside_polygon(domain.polygon_xy_m, point);
-}
 
 void check(const HarmonicMagnetization& profile) {
     const bool axes = profile.along >= 0 && profile.along <= 2 && profile.into >= 0 &&
@@ -121,14 +98,6 @@ std::vector<Vec3> nearest_vectors(const Mesh& mesh, const MagnetizationRows& row
 }
 
 }  // namespace
-
-Vec3 element_centre(const Mesh& mesh, std::size_t element) {
-    Vec3 centre{};
-    for (int node : mesh.elements[element]) {
-        centre += 0.125 * mesh.nodes[node];
-    }
-    return centre;
-}
 
 std::vector<Vec3> uniform_magnetization(const Mesh& mesh, const Vec3& vector_a_m) {
     return std::vector<Vec3>(mesh.elements.size(), vector_a_m);
@@ -281,14 +250,9 @@ std::vector<Vec3> domain_magnetization(const Mesh& mesh,
     for (std::size_t e = 0; e < out.size(); ++e) {
         const Vec3 centre = element_centre(mesh, e);
         const auto owner = std::ranges::find_if(
-            domains, [&](const MagneticDomain& domain) { return holds(domain, centre); });
-        if (owner == domains.end()) {
-            refuse(
-                "element {} with its centre at ({:.6g}, {:.6g}, {:.6g}) m lies in none "
-                "of the {} magnetisation domains; every element must lie in one",
-                e, centre[0], centre[1], centre[2], domains.size());
-        }
-        out[e] = owner->vector_a_m;
+            domains,
+            [&](const MagneticDomain& domain) { return holds(domain.shape, centre); });
+        if (owner != domains.end()) out[e] = owner->vector_a_m;
     }
     return out;
 }
@@ -297,8 +261,8 @@ std::vector<Vec3> region_magnetization(const Mesh& mesh,
                                        const std::map<std::string, Vec3>& vector_a_m) {
     if (mesh.region_names.empty()) {
         refuse(
-            "a magnetisation by region found for a mesh without regions; name its "
-            "volumes in Gmsh (physical groups), or take another law");
+            "a magnetisation by region found for a mesh without regions; name them by "
+            "shapes (regions), or volumes in Gmsh (physical groups)");
     }
     const auto& names = mesh.region_names;
     for (const auto& [name, unused] : vector_a_m) {

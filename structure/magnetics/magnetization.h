@@ -19,8 +19,7 @@ std::vector<Vec3> uniform_magnetization(const Mesh& mesh, const Vec3& vector_a_m
 // positive or on wrong axes.
 std::vector<Vec3> harmonic_magnetization(const Mesh& mesh,
                                          const HarmonicMagnetization& profile);
-// The vector of the first domain that contains the element's centre. Throws
-// std::invalid_argument, with element and centre, if none does.
+// The vector of the first domain that holds the element's centre; zero if none does.
 std::vector<Vec3> domain_magnetization(const Mesh& mesh,
                                        std::span<const MagneticDomain> domains);
 // The vector of each element's region. Throws std::invalid_argument, with the regions
@@ -61,8 +60,5 @@ MagnetizationRows read_magnetization(const std::filesystem::path& file);
 // another body or unit).
 std::vector<Vec3> table_magnetization(const Mesh& mesh,
                                       const std::filesystem::path& file);
-
-// Mean of the element's nodes, undeformed [m].
-Vec3 element_centre(const Mesh& mesh, std::size_t element);
 
 }  // namespace magfsi::structure

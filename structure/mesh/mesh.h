@@ -42,6 +42,9 @@ struct Mesh {
     // region in region_names. Both are empty for a mesh without regions.
     std::vector<int> region;
     std::vector<std::string> region_names;
+    // Share of each element that is solid, in meshes of cubes; empty if all are whole.
+    // Above 1 where a cube also stands for omitted neighbours.
+    std::vector<double> solid_share;
     // Node numbers of named points and lines, ascending, for probes.
     std::map<std::string, std::vector<int>> points;
 };
@@ -51,6 +54,13 @@ inline Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
     Vec3 x{};
     for (std::size_t a = 0; a < 8; ++a) x += point.weight[a] * mesh.nodes[point.node[a]];
     return x;
+}
+
+// Mean of an element's nodes [m].
+inline Vec3 element_centre(const Mesh& mesh, std::size_t element) {
+    Vec3 centre{};
+    for (const int node : mesh.elements[element]) centre += 0.125 * mesh.nodes[node];
+    return centre;
 }
 
 // Axis-parallel bounding box [m]; empty at first.

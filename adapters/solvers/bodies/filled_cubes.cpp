@@ -9,6 +9,7 @@
 #include <map>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "base/words/likely_unit.h"
@@ -175,16 +176,16 @@ std::vector<double> weights(const Cubes& cubes, double volume) {
 // there are few materials: the elements of one material are computed together.
 constexpr int parts_of_cube = 16;
 
-// Makes a region of the mesh for the weights that round alike, named after their mean;
-// none if all cubes are whole. So the sum of the weights is kept, and cubes that are
-// alike remain so. A cube has at least one part.
-void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
-                  const Cubes& cubes, double spacing_m) {
+// Gives elements whose weights round alike the mean of these; none if all cubes are
+// whole. So the sum of the weights is kept, and cubes that are alike remain so. A cube
+// has at least one part.
+void add_shares(structure::Mesh& mesh, const std::vector<double>& weight,
+                const Cubes& cubes, double spacing_m) {
     constexpr double rounding = 1e-9;
     constexpr int whole = 0;
     struct Kind {
         double sum = 0;
-        int count = 0, number = 0;
+        int count = 0;
     };
     std::map<int, Kind> kinds;
     std::vector<int> of;
@@ -201,11 +202,8 @@ void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
         ++kinds[of.back()].count;
     }
     if (kinds.size() == 1 && kinds.contains(whole)) return;
-    for (auto& [parts, kind] : kinds) {
-        kind.number = static_cast<int>(mesh.region_names.size());
-        mesh.region_names.push_back(fmt::format("{:.9g}", kind.sum / kind.count));
-    }
-    for (const int kind : of) mesh.region.push_back(kinds[kind].number);
+    for (const int kind : of)
+        mesh.solid_share.push_back(kinds[kind].sum / kinds[kind].count);
 }
 
 }  // namespace
@@ -225,37 +223,33 @@ structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
     measure(*solid, cubes);
     structure::Mesh mesh =
         structure::voxel_mesh(cubes.count, voxels.spacing_m, cubes.filled);
-    name_regions(mesh, weights(cubes, extent.volume_m3 / std::pow(voxels.spacing_m, 3)),
-                 cubes, voxels.spacing_m);
+    add_shares(mesh, weights(cubes, extent.volume_m3 / std::pow(voxels.spacing_m, 3)),
+               cubes, voxels.spacing_m);
     for (Vec3& x : mesh.nodes) x -= surface.shift_m;
     return mesh;
 }
 
-double weight_of_region(const structure::Mesh& mesh, int region) {
-    return std::stod(mesh.region_names[region]);
-}
-
 void weigh(structure::Body& body) {
-    if (body.mesh.region.empty()) return;
-    const int regions = body.mesh.region_names.size();
-    std::vector<int> number;
-    for (int region = 0; region < regions; ++region) {
-        const double weight = weight_of_region(body.mesh, region);
-        number.push_back(weight == 1 ? 0
-                                     : static_cast<int>(body.other_materials.size()) + 1);
-        if (weight == 1) continue;
-        structure::Material& material = body.other_materials.emplace_back(body.material);
-        material.shear_modulus_pa *= weight;
-        material.lame_lambda_pa *= weight;
-        material.density_kg_m3 *= weight;
-        material.viscosity_pa_s *= weight;
-    }
-    for (std::size_t e = 0; e < body.mesh.region.size(); ++e) {
-        const int region = body.mesh.region[e];
-        body.element_material.push_back(number[region]);
-        if (body.magnetization_a_m.empty()) continue;
-        for (double& component : body.magnetization_a_m[e])
-            component *= weight_of_region(body.mesh, region);
+    const std::vector<double>& shares = body.mesh.solid_share;
+    if (shares.empty()) return;
+    if (body.element_material.empty()) body.element_material.assign(shares.size(), 0);
+    std::map<std::pair<int, double>, int> numbers;  // by whole material and share
+    for (std::size_t e = 0; e < shares.size(); ++e) {
+        const double share = shares[e];
+        if (share == 1) continue;
+        const auto [found, is_new] =
+            numbers.try_emplace({body.element_material[e], share},
+                                static_cast<int>(body.other_materials.size()) + 1);
+        if (is_new) {
+            structure::Material material = structure::material_of(body, e);
+            material.shear_modulus_pa *= share;
+            material.lame_lambda_pa *= share;
+            material.density_kg_m3 *= share;
+            material.viscosity_pa_s *= share;
+            body.other_materials.push_back(material);
+        }
+        body.element_material[e] = found->second;
+        if (!body.magnetization_a_m.empty()) body.magnetization_a_m[e] *= share;
     }
 }
 

@@ -12,18 +12,14 @@
 namespace magfsi::bodies {
 
 // Mesh of the cubes whose centres lie inside the surface of the STL file, in the frame of
-// the file [m]. Each region of the mesh has the cubes of one weight and is named after
-// it, "0.3125"; a mesh of whole cubes has no regions. Throws std::invalid_argument if the
-// file cannot be used (make_stl_solid) or takes more than two million cubes.
+// the file [m]. Its solid_share is the material that each cube stands for, in volumes of
+// a whole cube. Throws std::invalid_argument if the file cannot be used (make_stl_solid)
+// or takes more than two million cubes.
 structure::Mesh filled_mesh(const structure::VoxelMesh& voxels);
 
-// Weight of a region of such a mesh: the material that each of its cubes stands for, in
-// volumes of a whole cube. Above 1 where a cube also stands for omitted neighbours.
-double weight_of_region(const structure::Mesh& mesh, int region);
-
-// Scales density, moduli, viscosity and magnetisation of each element of a body on such a
-// mesh with the weight of its region. Adds one material for each weight other than 1; the
-// body must have no other materials before. To be called once.
+// Scales density, moduli, viscosity and magnetisation of each element of a body with its
+// solid share. Adds a material for each material and share other than 1. To be called
+// once.
 void weigh(structure::Body& body);
 
 // Volume inside the surface of the file [m3], independent of its cubes.

@@ -123,20 +123,31 @@ structure::Mesh with_faces(structure::Mesh mesh, const structure::VoxelMesh& vox
 
 }  // namespace
 
+namespace {
+
+// The mesh with the regions that it has of itself.
+structure::Mesh plain_mesh(const scene::Body& body) {
+    if (const auto* box = std::get_if<structure::Box>(&body.mesh))
+        return structure::box_mesh(*box);
+    if (const auto* plate = std::get_if<structure::ObliquePlate>(&body.mesh))
+        return structure::oblique_mesh(*plate);
+    if (const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh))
+        return with_faces(filled_mesh(*voxels), *voxels);
+    if (const auto* arc = std::get_if<structure::Arc>(&body.mesh))
+        return structure::arc_mesh(*arc);
+    if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
+        return structure::helix_mesh(*helix);
+    const auto& gmsh = std::get<structure::MeshFile>(body.mesh);
+    return convert(gmsh.file, gmsh.unit_m);
+}
+
+}  // namespace
+
 structure::Mesh to_mesh(const scene::Body& body) {
     try {
-        if (const auto* box = std::get_if<structure::Box>(&body.mesh))
-            return structure::box_mesh(*box);
-        if (const auto* plate = std::get_if<structure::ObliquePlate>(&body.mesh))
-            return structure::oblique_mesh(*plate);
-        if (const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh))
-            return with_faces(filled_mesh(*voxels), *voxels);
-        if (const auto* arc = std::get_if<structure::Arc>(&body.mesh))
-            return structure::arc_mesh(*arc);
-        if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
-            return structure::helix_mesh(*helix);
-        const auto& gmsh = std::get<structure::MeshFile>(body.mesh);
-        return convert(gmsh.file, gmsh.unit_m);
+        structure::Mesh mesh = plain_mesh(body);
+        structure::add_regions(mesh, body.regions);
+        return mesh;
     } catch (const std::invalid_argument& fault) {
         throw scene::SceneError(fmt::format("{}{}body '{}': {}", body.mesh_place,
                                             body.mesh_place.empty() ? "" : ": ",
@@ -241,7 +252,6 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
         throw scene::SceneError(
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
     }
-    const bool cubes = std::holds_alternative<structure::VoxelMesh>(body.mesh);
     out.element = body.element;
     out.inertia = body.inertia;
     out.clamps = body.clamps;
@@ -255,14 +265,17 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
         throw std::invalid_argument(
             fmt::format("magnetization of body '{}': {}", body.name, fault.what()));
     }
-    if (cubes) weigh(out);
+    weigh(out);
     return out;
 }
 
 Solids to_bodies(const scene::Scene& scene) {
     Solids all;
     for (const scene::Body& body : scene.bodies) {
-        const auto same = std::ranges::find(scene.bodies, body.mesh, &scene::Body::mesh);
+        const auto same =
+            std::ranges::find_if(scene.bodies, [&](const scene::Body& other) {
+                return other.mesh == body.mesh && other.regions == body.regions;
+            });
         const std::size_t first = same - scene.bodies.begin();
         all.push_back(
             to_body(body, first < all.size() ? all[first].mesh : to_mesh(body)));

@@ -22,7 +22,8 @@ void keep(const KeptScene& kept, const fs::path& folder) {
     std::ofstream(folder / "scene.yaml") << kept.complete;
     for (const KeptFile& file : kept.files) {
         fs::create_directories((folder / file.name).parent_path());
-        fs::copy_file(file.from, folder / file.name);
+        // Some complete scenes name a mesh that is not there.
+        if (fs::exists(file.from)) fs::copy_file(file.from, folder / file.name);
     }
 }
 

@@ -227,6 +227,19 @@ TEST(Keys, of_platform_contact_and_equilibrium) {
     EXPECT_EQ(s.contact->stiffness_pa_m, 30e6);
 }
 
+TEST(Keys, of_regions_by_shapes) {
+    const Scene s = complete("elastic.yaml");
+    EXPECT_TRUE(s.bodies[1].regions.empty());
+    const std::vector<NamedRegion>& regions = s.bodies[0].regions;
+    ASSERT_EQ(regions.size(), 3U);
+    EXPECT_EQ(regions[0].name, "bead");
+    EXPECT_EQ(regions[0].shape.ball, (BallShape{{1e-3, 2e-3, 0.5e-3}, 2e-3}));
+    EXPECT_EQ(regions[1].shape.box_m,
+              (std::array{Vec3{15e-3, 0, 0}, Vec3{17.5e-3, 5e-3, 1e-3}}));
+    EXPECT_EQ(regions[2].shape.polygon_xy_m.size(), 3U);
+    EXPECT_FALSE(regions[2].shape.ball || regions[2].shape.box_m);
+}
+
 TEST(Keys, of_meshes_with_regions) {
     const Scene s = complete("origami.yaml");
     const auto& plate = std::get<ObliquePlate>(s.bodies[1].mesh);

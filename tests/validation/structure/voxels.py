@@ -130,6 +130,22 @@ class Voxels(unittest.TestCase):
         # -0.6, 0.0, -0.6 %.
         self.check_errors("round rod", bends, exact, 1.6)
 
+    def test_parts_by_shapes(self):
+        """A box of cubes with a stiff and heavy half, against the block that it is: the parts are named by
+        the same shapes. Rolled, so that cubes are cut, the body is as heavy as both halves are."""
+        parts = ("regions: {stiff: {box: [[%g mm, -9 mm, -9 mm], [99 mm, 9 mm, 9 mm]]}}\n"
+                 "    material_regions: [{region: stiff, shear_modulus: 330 kPa, lame_lambda: 6.6 MPa, "
+                 "density: 3720 kg/m3}]\n    clamps: [x_min]")
+        half = round(SIZE_MM[0] / EDGE_MM / 2) * EDGE_MM
+        box = self.bend("box: {size: [%g mm, %g mm, %g mm], elements: %s}"
+                        % (*SIZE_MM, [round(s / EDGE_MM) for s in SIZE_MM]), held=parts % half)
+        cubes = self.bend(self.from_file(block(SIZE_MM), "0.375 mm"), held=parts % half)
+        plain = self.bend(self.from_file(block(SIZE_MM), "0.375 mm"))
+        testing.report(f"bends by {1e3 * box:.6f} mm, cubes {1e3 * cubes:.6f}, of one material "
+                       f"{1e3 * plain:.6f}")
+        self.assertAlmostEqual(cubes / box, 1, delta=1e-5)  # as test_bends_as_the_box
+        self.assertGreater(abs(cubes / plain - 1), 0.1)
+
     def test_mass_and_volume_are_the_surfaces(self):
         """Whatever the volume of the cubes: 9.8 % too large here."""
         size = (1.2, 0.8, 0.5)
