@@ -131,8 +131,8 @@ class Voxels(unittest.TestCase):
         self.check_errors("round rod", bends, exact, 1.6)
 
     def test_parts_by_shapes(self):
-        """A box of cubes with a stiff and heavy half, against the block that it is: the parts are named by
-        the same shapes. Rolled, so that cubes are cut, the body is as heavy as both halves are."""
+        """A box of cubes with a stiff and heavy half, against the block that it is; the parts are named by the
+        same shapes."""
         parts = ("regions: {stiff: {box: [[%g mm, -9 mm, -9 mm], [99 mm, 9 mm, 9 mm]]}}\n"
                  "    material_regions: [{region: stiff, shear_modulus: 330 kPa, lame_lambda: 6.6 MPa, "
                  "density: 3720 kg/m3}]\n    clamps: [x_min]")
