@@ -28,6 +28,7 @@
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/locate.h"
 #include "structure/mesh/mesh_file.h"
+#include "structure/mesh/region.h"
 #include "structure/mesh/swept_mesh.h"
 
 namespace magfsi::bodies {

@@ -190,13 +190,14 @@ TEST(Keys, of_the_other_alternatives) {
               (Vec3{62e3, -1e3, 2}));
     const auto& domains =
         std::get<DomainMagnetization>(*s.bodies[1].magnetization).domains;
-    ASSERT_EQ(domains.size(), 2u);
-    EXPECT_EQ((*domains[0].box_m)[1], (Vec3{5e-3, 10e-3, 1e-3}));
+    ASSERT_EQ(domains.size(), 3u);
+    EXPECT_EQ(domains[2].shape.ball, (BallShape{{8e-3, 8e-3, 0.5e-3}, 1e-3}));
+    EXPECT_EQ((*domains[0].shape.box_m)[1], (Vec3{5e-3, 10e-3, 1e-3}));
     EXPECT_EQ(domains[0].vector_a_m, (Vec3{81e3, 0, 0}));
-    EXPECT_TRUE(domains[0].polygon_xy_m.empty());
-    EXPECT_FALSE(domains[1].box_m);
-    ASSERT_EQ(domains[1].polygon_xy_m.size(), 3u);
-    EXPECT_EQ(domains[1].polygon_xy_m[2], (std::array{10e-3, 10e-3}));
+    EXPECT_TRUE(domains[0].shape.polygon_xy_m.empty());
+    EXPECT_FALSE(domains[1].shape.box_m);
+    ASSERT_EQ(domains[1].shape.polygon_xy_m.size(), 3u);
+    EXPECT_EQ(domains[1].shape.polygon_xy_m[2], (std::array{10e-3, 10e-3}));
     const auto& constant = std::get<ConstantField>(s.magnetic_field->course);
     EXPECT_EQ(constant.magnitude_t, 0.2);
     EXPECT_EQ(constant.direction_rad, pi / 2);
