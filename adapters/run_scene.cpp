@@ -115,8 +115,7 @@ void refuse_own_scene(const std::filesystem::path& scene_file,
         return;
     throw std::invalid_argument(
         fmt::format("--out: found {}, the folder of the scene itself, which would be "
-                    "moved aside with "
-                    "what lies there; allowed are other folders",
+                    "moved aside with the results there; allowed are other folders",
                     out.string()));
 }
 

@@ -150,11 +150,14 @@ void Session::take_over(bool goes_on) {
 }
 
 void Session::record_run(bool goes_on) const {
-    for (const auto& [name, text] :
-         {std::pair{"scene.yaml", &plan().scene},
-          std::pair{"scene_as_given.yaml", &plan().scene_as_given},
-          std::pair{"scene.json", &plan().scene_as_read}})
-        if (!text->empty()) output::write_atomically(state_.out / name, *text);
+    // A run that goes on may have been given the folder's own scene.yaml, not the first.
+    const auto given = state_.out / "scene_as_given.yaml";
+    if (!plan().scene_as_given.empty() && !(goes_on && std::filesystem::exists(given)))
+        output::write_atomically(given, plan().scene_as_given);
+    if (!plan().scene.empty())
+        output::write_atomically(state_.out / "scene.yaml", plan().scene);
+    if (!plan().scene_as_read.empty())
+        output::write_atomically(state_.out / "scene.json", plan().scene_as_read);
     for (const auto& [file, name] : plan().scene_files)
         output::copy_atomically(file, state_.out / name);
     output::RunRecord record;

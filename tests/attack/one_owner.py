@@ -107,7 +107,8 @@ class Earlier(unittest.TestCase):
     def test_what_was_run_is_kept(self):
         ended = attack.run(self.folder, {**SETTINGS, "time.end": "3 ms"}, restart="latest")
         self.assertEqual(ended.code, 0, ended.err)
-        self.assertEqual((self.folder / "scene.yaml").read_bytes(), testing.SMALL.read_bytes())
+        self.assertEqual((self.folder / "scene_as_given.yaml").read_bytes(), testing.SMALL.read_bytes())
+        self.assertIn("end: 3 ms\n", (self.folder / "scene.yaml").read_text())
         self.assertEqual(json.loads((self.folder / "scene.json").read_text())["time"]["end"],
                          0.003)
         first, second = json.loads((self.folder / "run.json").read_text())

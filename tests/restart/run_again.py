@@ -73,6 +73,7 @@ class FromItsFolder(unittest.TestCase):
         rows = runs.read_table(folder / "probes.csv", float)["t[s]"]
         self.assertAlmostEqual(rows[-1], 2.5e-3, delta=1e-9)
         self.assertIn("end: 2.5 ms", (folder / "scene.yaml").read_text())
+        self.assertEqual((folder / "scene_as_given.yaml").read_text(), self.text)
 
     def test_its_own_place_is_left_alone(self):
         """In the folder above runs/small_swimmer a run of it goes to runs/small_swimmer-again."""

@@ -221,11 +221,11 @@ def read_run(folder, most_bytes, columns=None):
     middle = found["middle"] if found else [b / 2 for b in high] if high else None
     slices = fields.flows(folder, scene, middle, 0.45 * most_bytes) if "fluid" in scene and middle else []
     last = starts[-1]
-    text = folder / "scene.yaml"
+    texts = [file for name in ("scene_as_given.yaml", "scene.yaml") if (file := folder / name).exists()]
     return {"name": scene.get("name", folder.name), "folder": str(folder),
             "outcome": summary.get("outcome", "not ended"), "cause": summary.get("cause", ""),
             "effects": summary.get("effects", []), "absent": summary.get("absent_effects", []),
-            "scene": text.read_text(errors="replace") if text.exists() else "",
+            "scene": texts[0].read_text(errors="replace") if texts else "",
             "overrides": last.get("overrides", []), "command": last.get("command", ""),
             "begun": last.get("begun", ""), "machine": last.get("machine", ""),
             "versions": summary.get("versions", last.get("versions", {})),
