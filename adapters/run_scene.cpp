@@ -37,11 +37,15 @@ double given_speed(const scene::Fluid& fluid) {
     return largest;
 }
 
-// Hands on what the run folder keeps of the scene.
-void keep(scene::KeptScene kept, coupler::RunPlan& plan) {
-    plan.scene = std::move(kept.complete);
-    if (kept.as_given != plan.scene) plan.scene_as_given = std::move(kept.as_given);
-    for (auto& [file, name] : kept.files) plan.scene_files.emplace_back(file, name);
+coupler::KeptInput kept_input(const coupler::ParticipantArguments& arguments,
+                              const scene::Scene& scene) {
+    scene::KeptScene kept =
+        scene::kept_scene(arguments.scene, arguments.overrides, scene);
+    coupler::KeptInput input{std::move(kept.complete), {}, {}, {}};
+    if (kept.as_given != input.scene) input.as_given = std::move(kept.as_given);
+    input.as_read = scene::effective_scene(scene).dump(2) + "\n";
+    for (auto& [file, name] : kept.files) input.files.emplace_back(file, name);
+    return input;
 }
 
 }  // namespace
@@ -71,11 +75,11 @@ std::string processor() {
 }
 
 // Warnings become part of the log: effects without influence and rounded intervals.
-coupler::RunPlan run_plan(const scene::Scene& scene) {
+coupler::RunPlan run_plan(const scene::Scene& scene, bool goes_on) {
     coupler::RunPlan plan;
     plan.name = scene.name;
     plan.scene_hash = scene.hash;
-    plan.state_hash = scene::state_hash(scene);
+    if (scene.checkpoint || goes_on) plan.state_hash = scene::state_hash(scene);
     plan.end_s = scene.time.end_s;
     const auto& solvers = scene::names<scene::FluidSolver>;
     plan.solver_folders.assign(solvers.begin(), solvers.end());
@@ -142,9 +146,8 @@ int run_scene(coupler::Role role, const std::string& description, int argc, char
                 scene::scene_file(arguments.scene),
                 arguments.out.empty() ? coupler::default_out(scene.name) : arguments.out,
                 arguments.restart);
-            coupler::RunPlan plan = run_plan(scene);
-            keep(scene::kept_scene(arguments.scene, arguments.overrides, scene), plan);
-            plan.scene_as_read = scene::effective_scene(scene).dump(2) + "\n";
+            coupler::RunPlan plan = run_plan(scene, !arguments.restart.empty());
+            plan.input = [&] { return kept_input(arguments, scene); };
             // All cores of the machine count: mpirun may bind this process to one of
             // them.
             plan.machine = fmt::format("{}, {} cores", processor(),

@@ -14,7 +14,8 @@ namespace magfsi {
 
 // Collects what the coupler needs to know of a scene: roles, end time, densities, hashes,
 // effects, warnings. The coupler itself does not know the scene.
-coupler::RunPlan run_plan(const scene::Scene& scene);
+// goes_on: from a checkpoint.
+coupler::RunPlan run_plan(const scene::Scene& scene, bool goes_on = false);
 
 // Model name of the processor as in /proc/cpuinfo.
 std::string processor();

@@ -33,7 +33,7 @@ Retries::Retries(const scene::Scene& scene, const bodies::Solids& solids,
                  const std::filesystem::path& out, const std::string& restart)
     : scene_(scene), solids_(solids), out_(out), given_(restart), restart_(restart) {
     if (!retry(scene) || restart.empty()) return;
-    const auto header = coupler::find_restart(restart, out, run_plan(scene)).header;
+    const auto header = coupler::find_restart(restart, out, run_plan(scene, true)).header;
     from_s_ = time_of(header);
     const auto ratio = std::llround(step_s() / header.step_s);
     if (ratio > 1) scene_.time.halvings = std::ilogb(static_cast<double>(ratio));
@@ -50,8 +50,9 @@ double Retries::step_s() const {
 // else the start.
 Retries::Place Retries::newest() const {
     const auto at = [&](const std::string& restart) -> Place {
-        return {restart,
-                time_of(coupler::find_restart(restart, out_, run_plan(scene_)).header)};
+        return {
+            restart,
+            time_of(coupler::find_restart(restart, out_, run_plan(scene_, true)).header)};
     };
     try {
         return at("latest");

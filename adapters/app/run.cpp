@@ -331,7 +331,7 @@ int run(RunOptions options) {
     const auto warned = warnings(explain(scene, solids, options.ranks));
     const fs::path out = run_folder(scene, options);
     if (!options.restart.empty())
-        (void)coupler::find_restart(options.restart, out, run_plan(scene));
+        (void)coupler::find_restart(options.restart, out, run_plan(scene, true));
     if (scene.control) need_controller();
     need_stack();
     pass_on_signals();

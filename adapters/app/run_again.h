@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where a run writes to, and a run folder as the scene of another run: its scene.yaml has
-// the overrides, and scene_files/ what it reads.
+// A run folder as the scene of another run (its scene.yaml has the overrides, its
+// scene_files/ what it reads), and the choice of the folder that a run writes to.
 #pragma once
 
 #include <filesystem>

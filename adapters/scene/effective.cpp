@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Values, hash, effects and step of a scene, and warnings of effects without influence.
+// Values, effects and step of a scene, and warnings of effects without influence.
 #include "adapters/scene/effective.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "adapters/scene/field.h"
 #include "adapters/scene/keys.h"
-#include "adapters/scene/named_files.h"
-#include "coupler/hash.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/step/clock.h"
 #include "fluid_lbm/units.h"
@@ -32,49 +27,6 @@ nlohmann::ordered_json effective_scene(const Scene& scene) {
 std::string law_key(const FieldLaw& law) {
     FieldTerm term{law};
     return JsonWriter::of(term).begin().key();
-}
-
-std::uint64_t scene_hash(const Scene& scene) {
-    // nlohmann::json sorts its keys, unlike ordered_json.
-    return coupler::hash_of(nlohmann::json(effective_scene(scene)).dump());
-}
-
-namespace {
-
-// A file counts by its content, wherever it lies; a script, which is often mended between
-// two starts, by its name.
-std::string content_of(const std::string& file) {
-    const std::filesystem::path path(file);
-    std::ifstream in(path, std::ios::binary);
-    if (!in || path.extension() == ".py") return path.filename().string();
-    std::ostringstream text;
-    text << in.rdbuf();
-    return fmt::format("{:016x}", coupler::hash_of(text.str()));
-}
-
-}  // namespace
-
-// Resets all options that change no state before the end of a run: its length, files,
-// waiting times and the reactions to faults.
-std::uint64_t state_hash(const Scene& scene) {
-    Scene endless = scene;
-    endless.time.end_s = 0;
-    endless.report = PageAtEnd::on;
-    // The reaction to a divergence changes no state before it.
-    if (endless.checkpoint) endless.checkpoint = Checkpoint{endless.checkpoint->every_s};
-    if (endless.coupling) {
-        endless.coupling->timeout_s.reset();
-        endless.coupling->overlap = {};
-    }
-    if (endless.fluid && endless.fluid->openfoam) {
-        OpenFoam& openfoam = *endless.fluid->openfoam;
-        openfoam.functions.reset();
-        openfoam.write.reset();
-        if (!openfoam.schemes && !openfoam.solution) endless.fluid->openfoam.reset();
-    }
-    if (endless.control) endless.control->timeout_s = Control{}.timeout_s;
-    for_each_named_file(endless, [](std::string& file) { file = content_of(file); });
-    return scene_hash(endless);
 }
 
 double path_step_s(const Scene& scene) {

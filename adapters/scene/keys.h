@@ -277,6 +277,10 @@ void keys(Io& io, Platform& platform);
 template <class Io>
 void keys(Io& io, ContactLaw& contact);
 template <class Io>
+void keys(Io& io, NamedRegion& region);  // keys_magnetization.cpp
+template <class Io>
+void keys(Io& io, Magnetization& magnetization);
+template <class Io>
 void keys(Io& io, Box& mesh);  // keys_mesh.cpp
 template <class Io>
 void keys(Io& io, ObliquePlate& mesh);

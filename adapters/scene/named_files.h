@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Names of the files that a scene leaves to its solvers: meshes, surfaces, grids, tables
-// of bodies, scripts, dictionaries. Tables over time are read with the scene.
+// Files that a scene names and leaves to its solvers: meshes, surfaces, grids, a body's
+// table, scripts, dictionaries. Tables over time are read with the scene.
 #pragma once
 
 #include <string>

@@ -32,7 +32,8 @@ MagneticField read_field(const std::string& text, const std::string& source,
 
 // The file that read_scene would open. Throws SceneError if it does not exist.
 std::filesystem::path scene_file(const std::filesystem::path& path);
-// Its text. Throws SceneError if it is too large, cannot be read, or is no regular file.
+// The text of a scene file. Throws SceneError if it is too large, cannot be read, or is
+// no regular file.
 std::string file_text(const std::filesystem::path& file);
 
 }  // namespace magfsi::scene

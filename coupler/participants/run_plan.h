@@ -22,11 +22,21 @@ struct CheckpointPlan {
     bool retry = false;
 };
 
+// The scene as its run folder keeps it.
+struct KeptInput {
+    // Text that runs again from there; the text as given if that differs, else ""; the
+    // values as read, in SI units (JSON).
+    std::string scene, as_given, as_read;
+    // Files that the scene reads, and their names in the run folder.
+    std::vector<std::pair<std::filesystem::path, std::string>> files;
+};
+
 // Everything about a run that the coupler needs to know; times in [s].
 struct RunPlan {
     std::string name;
     std::uint64_t scene_hash = 0;
-    // Hash of the scene without end_s, which a restart may change.
+    // Hash of the scene without end_s, which a restart may change; 0 in runs that neither
+    // write nor read checkpoints.
     std::uint64_t state_hash = 0;
     double end_s = 0;
     // Coupled steps in one step of a refined grid's coarsest level.
@@ -45,11 +55,8 @@ struct RunPlan {
     // Names of what the solvers leave in the run folder, beside the coupler's own files.
     std::vector<std::string> solver_folders;
 
-    // Texts for the run folder: the scene that runs again from there, as given if that
-    // differs (else ""), and as read, in SI units (JSON).
-    std::string scene, scene_as_given, scene_as_read;
-    // Files that the scene reads, and their names in the run folder.
-    std::vector<std::pair<std::filesystem::path, std::string>> scene_files;
+    // Makes what the run folder keeps of the scene. The leading process alone calls it.
+    std::function<KeptInput()> input;
     std::string machine;  // description of the machine
     // Texts for log and summary.
     std::vector<std::string> effects, absent_effects;

@@ -149,17 +149,19 @@ void Session::take_over(bool goes_on) {
     record_run(goes_on);
 }
 
-void Session::record_run(bool goes_on) const {
-    // A run that goes on may have been given the folder's own scene.yaml, not the first.
+// A run that goes on may have been given the folder's own scene.yaml, not the first.
+void Session::keep(const KeptInput& input, bool goes_on) const {
     const auto given = state_.out / "scene_as_given.yaml";
-    if (!plan().scene_as_given.empty() && !(goes_on && std::filesystem::exists(given)))
-        output::write_atomically(given, plan().scene_as_given);
-    if (!plan().scene.empty())
-        output::write_atomically(state_.out / "scene.yaml", plan().scene);
-    if (!plan().scene_as_read.empty())
-        output::write_atomically(state_.out / "scene.json", plan().scene_as_read);
-    for (const auto& [file, name] : plan().scene_files)
+    if (!input.as_given.empty() && !(goes_on && std::filesystem::exists(given)))
+        output::write_atomically(given, input.as_given);
+    output::write_atomically(state_.out / "scene.yaml", input.scene);
+    output::write_atomically(state_.out / "scene.json", input.as_read);
+    for (const auto& [file, name] : input.files)
         output::copy_atomically(file, state_.out / name);
+}
+
+void Session::record_run(bool goes_on) const {
+    if (plan().input) keep(plan().input(), goes_on);
     output::RunRecord record;
     record.scene = arguments_.scene.string();
     record.command = arguments_.command;

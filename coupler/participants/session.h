@@ -74,6 +74,7 @@ class Session {
     // Locks the folder and clears it for this run. Leading process only.
     void take_over(bool goes_on);
     // Writes the scene's texts and the entry in run.json.
+    void keep(const KeptInput& input, bool goes_on) const;
     void record_run(bool goes_on) const;
     void open_log();
 

@@ -6,8 +6,8 @@ import os
 
 
 class GrowingTable:
-    """Numbers of a CSV file by column. Each call reads the rows that are new, if they are whole; all of
-    them again when the file has become shorter."""
+    """Numbers of a CSV file by column. Each call reads the rows that are new, if they are whole and
+    numbers; all of them again when the file has become shorter."""
 
     def __init__(self, path):
         self.path = path
@@ -35,7 +35,11 @@ class GrowingTable:
         if rows and not self.columns:
             self.columns = {name: array.array("d") for name in rows.pop(0)}
         for row in rows:
-            if len(row) == len(self.columns):
-                for values, word in zip(self.columns.values(), row):
-                    values.append(float(word))
+            try:
+                numbers = [float(word) for word in row]
+            except ValueError:
+                continue
+            if len(numbers) == len(self.columns):
+                for values, number in zip(self.columns.values(), numbers):
+                    values.append(number)
         return self.columns if any(self.columns.values()) else {}
