@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The keys of bodies, `platform` and `contact`, stored in structure/options.h. Meshes are
 // in keys_mesh.cpp, regions and magnetisations in keys_magnetization.cpp. A comment
-// before each function names the place of its group below Keys of `bodies.NAME`.
+// before each function names the place of its group below `bodies.NAME`.
 #include "adapters/scene/keys.h"
 
 // The layout below follows the nesting of the scene file.
