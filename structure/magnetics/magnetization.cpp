@@ -247,13 +247,23 @@ std::vector<Vec3> radial_magnetization(const Mesh& mesh,
 std::vector<Vec3> domain_magnetization(const Mesh& mesh,
                                        std::span<const MagneticDomain> domains) {
     std::vector<Vec3> out(mesh.elements.size());
+    std::vector<bool> used(domains.size());
     for (std::size_t e = 0; e < out.size(); ++e) {
         const Vec3 centre = element_centre(mesh, e);
         const auto owner = std::ranges::find_if(
             domains,
             [&](const MagneticDomain& domain) { return holds(domain.shape, centre); });
-        if (owner != domains.end()) out[e] = owner->vector_a_m;
+        if (owner == domains.end()) continue;
+        out[e] = owner->vector_a_m;
+        used[owner - domains.begin()] = true;
     }
+    const auto empty = std::ranges::find(used, false);
+    if (empty != used.end())
+        refuse(
+            "domains[{}] of the magnetisation found, which holds the centre of no "
+            "element "
+            "that no domain before it holds; shapes are in the body's own frame",
+            empty - used.begin());
     return out;
 }
 

@@ -20,6 +20,7 @@ std::vector<Vec3> uniform_magnetization(const Mesh& mesh, const Vec3& vector_a_m
 std::vector<Vec3> harmonic_magnetization(const Mesh& mesh,
                                          const HarmonicMagnetization& profile);
 // The vector of the first domain that holds the element's centre; zero if none does.
+// Throws std::invalid_argument if a domain is the first one of no element.
 std::vector<Vec3> domain_magnetization(const Mesh& mesh,
                                        std::span<const MagneticDomain> domains);
 // The vector of each element's region. Throws std::invalid_argument, with the regions

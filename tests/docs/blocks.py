@@ -36,7 +36,7 @@ NO_CODE = ("text", "{literalinclude}", "{eval-rst}")
 ELSEWHERE = {("docs/python.md", "python"): "python_api"}
 # What other tests run, by their names; here the options are looked at.
 WHOLE = {"python": "documentation_figures", "bench": "documentation_figures",
-         "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing", "cite": "install_words",
+         "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing", "cite": "launcher_words",
          "compare": "compare_both_fluids"}
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)
@@ -162,6 +162,10 @@ class Shell(unittest.TestCase):
             self.folder.good([*first, *shortened(facts, "kept"), "--overwrite"])
         self.folder.good([*words, *shortened(facts, "goes on" if "--restart" in words else "")])
 
+    def folder_of_a_run(self, word):
+        if word.startswith("runs/") and not (self.folder.path / word / "summary.json").exists():
+            self.folder.good(["./magfsi", "run", "my_scene.yaml", "--set", "time.end=1 ms", "--out", word])
+
     def words_are_known(self, words):
         """Of what is not repeated here."""
         text = self.folder.call([*words[:2], "--help"]).stdout
@@ -198,6 +202,7 @@ class Shell(unittest.TestCase):
             return
         self.done.add(tuple(words))
         if command == "run":
+            self.folder_of_a_run(words[2])
             self.run_scene(words)
         elif command in ("study", "cost"):
             self.folder.good(words)
@@ -211,9 +216,7 @@ class Shell(unittest.TestCase):
             self.words_are_known(words)
         elif command in ("plot", "figure", "report", "render", "compare"):
             for word in words[2:]:
-                if word.startswith("runs/") and not (self.folder.path / word / "summary.json").exists():
-                    self.folder.good(["./magfsi", "run", "my_scene.yaml", "--set", "time.end=1 ms",
-                                      "--out", word])
+                self.folder_of_a_run(word)
             self.folder.good(words)
         else:
             self.folder.good(words)

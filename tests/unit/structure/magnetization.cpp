@@ -154,6 +154,9 @@ TEST(Magnetization, AnElementInNoDomainCarriesNone) {
     const auto m = domain_magnetization(strip, std::vector<MagneticDomain>{left});
     EXPECT_EQ(m[2], (Vec3{1, 0, 0}));
     EXPECT_EQ(m[3], (Vec3{}));
+    // The second one has all its elements taken by the first.
+    EXPECT_THROW(domain_magnetization(strip, std::vector<MagneticDomain>{left, left}),
+                 std::invalid_argument);
 }
 
 TEST(Magnetization, HarmonicRefusesBadProfiles) {
