@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Fuzzes a reader of files: tests/fuzz/run.sh [READER [SECONDS]], READER one of scene, table (CSV),
 # grid, surface (STL), mesh (Gmsh's) and state (of a checkpoint), or all, each for SECONDS (600).
-# Needs clang with libFuzzer (Debian: clang, libclang-rt-dev) and, for seeds, the programs of
+# Needs clang 16 or newer with libFuzzer and OpenMP (Debian 13: clang, libclang-rt-dev, libomp-dev; 12:
+# clang-16, libclang-rt-16-dev, libomp-16-dev, and CXX=clang++-16) and, for seeds, the programs of
 # build/release. Starts from files of the tutorials and of the tests. Ends with 0 if no input
 # crashed, hung (10 s) or took more than 2 GiB; else the input lies in build/fuzz/found: fix what
 # it shows and keep it in tests/fuzz/found, or as a case of the reader's unit test.
@@ -16,7 +17,7 @@ if [ "$reader" = all ]; then
     exit
 fi
 
-[ -f build/fuzz/build.ninja ] || cmake --preset fuzz
+[ -f build/fuzz/build.ninja ] || cmake --preset fuzz -DCMAKE_CXX_COMPILER="${CXX:-clang++}"
 ninja -C build/fuzz -j "${JOBS:-1}" "fuzz_$reader"
 
 corpus=build/fuzz/corpus_$reader
