@@ -86,7 +86,47 @@ struct Helix {
     bool operator==(const Helix&) const = default;
 };
 
-using MeshOptions = std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix>;
+// Round bodies (mesh/round_mesh.h). Of the elements the first number is that across the
+// core, the second that of the layers from the core to the surface, the third that along.
+struct BallMesh {
+    double diameter_m = 0;
+    std::array<int, 2> elements{};
+    bool operator==(const BallMesh&) const = default;
+};
+struct CylinderMesh {
+    double diameter_m = 0, length_m = 0;
+    std::array<int, 3> elements{};
+    bool operator==(const CylinderMesh&) const = default;
+};
+struct CapsuleMesh {
+    double diameter_m = 0;
+    double length_m = 0;            // with both ends
+    std::array<int, 3> elements{};  // the third: along the straight part
+    bool operator==(const CapsuleMesh&) const = default;
+};
+struct ConeMesh {
+    std::array<double, 2> diameters_m{};  // at x_min and at x_max
+    double length_m = 0;
+    std::array<int, 3> elements{};
+    bool operator==(const ConeMesh&) const = default;
+};
+// Head of a helix of wire, on its axis.
+struct WireHead {
+    double diameter_m = 0, length_m = 0;
+    bool operator==(const WireHead&) const = default;
+};
+struct WireMesh {
+    double radius_m = 0, pitch_m = 0, turns = 0;  // of the middle line
+    double diameter_m = 0;                        // of the wire
+    std::array<int, 3> elements{};
+    bool left_handed = false;
+    std::optional<WireHead> head;
+    bool operator==(const WireMesh&) const = default;
+};
+
+using MeshOptions =
+    std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix, BallMesh,
+                 CylinderMesh, CapsuleMesh, ConeMesh, WireMesh>;
 
 // --- parts of a body, in its own frame ---
 
@@ -318,7 +358,21 @@ struct Placement {
     // Static shape in this constant field, without any other load. Its angle is in the
     // plane of the magnetic field, or in xz if the scene has no field.
     std::optional<ConstantField> relaxed;
+    // Motion of a rigid body at time 0: of its centre of mass, and about it. A held body
+    // has the latter only.
+    std::optional<Vec3> velocity_m_s;
+    std::optional<Vec3> angular_velocity_rad_s;
 };
+
+// Holds of a rigid part in space: a point that stays where it is, or an axis that does.
+struct Pivot {
+    Vec3 about_m{};
+};
+struct Hinge {
+    Vec3 axis{0, 0, 1};  // direction of any length
+    Vec3 about_m{};      // a point of the axis
+};
+using RigidHold = std::variant<Hinge, Pivot>;
 
 // Faces whose nodes keep their coordinate along one axis of space (0 x, 1 y, 2 z) and are
 // free along the others. One such face is a plane of symmetry; two opposite ones give

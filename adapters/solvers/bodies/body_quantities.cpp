@@ -35,7 +35,7 @@ double kinetic_energy_j(const BodySample& body) {
         const Vec3& v = body.nodes.velocity_m_s[i];
         energy += 0.5 * body.nodes.mass_kg[i] * dot(v, v);
     }
-    return energy;
+    return energy + body.loads.kinetic_beyond_nodes_j;
 }
 
 // Torque of the fluid about the centre of mass, from the one about the origin of space.
@@ -126,6 +126,7 @@ const BodyProbe& body_probe(scene::BodyQuantity quantity) {
          [](Body b) { return row_of(fluid_torque_n_m(b)); }},
         {Q::reaction_force, {}, Load::support, nullptr},  // add_reactions
         {Q::magnetic_load, {}, Load::none, nullptr},      // add_magnetic_load
+        {Q::rigid_motion, {}, Load::none, nullptr},       // add_rigid_motion
         {Q::energy,
          {"energy_elastic[J]", "energy_kinetic[J]", "work_magnetic[J]"},
          Load::energies,

@@ -121,6 +121,7 @@ NodalState Engine::gather(int atoms) const {
         state.velocity_m_s.push_back({all[i + 3], all[i + 4], all[i + 5]});
         state.mass_kg.push_back(all[i + 6]);
     }
+    if (!all.empty()) state.rigid = rigid_motions();
     return state;
 }
 

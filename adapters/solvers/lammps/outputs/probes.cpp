@@ -116,6 +116,7 @@ std::vector<bodies::BodyLoads> Probes::collect_loads(const NodalState& nodes) co
         for (std::size_t b = 0; b < loads.size(); ++b) {
             loads[b].energy_elastic_j = run_.engine->fix_vector(run_.fix_ids[b], 1);
             loads[b].work_magnetic_j = run_.engine->fix_vector(run_.fix_ids[b], 3);
+            loads[b].kinetic_beyond_nodes_j = run_.rigid.beyond_nodes_j(nodes.rigid, b);
             // The work on a path of equilibria is known on the root only. The collective
             // calls above are made by all ranks.
             if (!run_.field_work.empty())
