@@ -85,6 +85,7 @@ EFFECTS = {
     "walls": of_structure("walls"),
     "clamps": of_structure("clamps"),
     "rollers": of_structure("rollers"),
+    "rigid_parts": of_structure("rigid_parts"),
     "quiet": of_structure("quiet"),
     "prescribed_motion": of_structure("prescribed_motion"),
     "moving_wall": of_fluid("moving_wall"),
