@@ -182,6 +182,13 @@ void check_probes(const Scene& scene, const Marks& marks) {
     require_with(
         !asks(probes.bodies, BodyQuantity::magnetic_load) || scene.magnetic_field,
         marks.value({"probes", "bodies"}), "the probe magnetic_load", "a magnetic_field");
+    require_with(!asks(probes.bodies, BodyQuantity::contact_load) || scene.platform ||
+                     scene.contact,
+                 marks.value({"probes", "bodies"}), "the probe contact_load",
+                 "contact or platform");
+    require(!asks(probes.bodies, BodyQuantity::contact_load) || !scene.time.equilibrium,
+            marks.value({"probes", "bodies"}), "contact_load of a path of equilibria",
+            "it in runs over time");
     const bool rigid = std::ranges::any_of(
         scene.bodies, [](const Body& body) { return !body.rigid.empty(); });
     require_with(!asks(probes.bodies, BodyQuantity::rigid_motion) || rigid,

@@ -217,12 +217,13 @@ enum class BodyQuantity {
     reaction_force,
     energy,
     magnetic_load,
+    contact_load,
     rigid_motion
 };
 constexpr auto words_of(BodyQuantity) {
     return std::to_array<std::string_view>(
         {"com", "speed", "shape", "max_displacement", "fluid_force", "fluid_torque",
-         "reaction_force", "energy", "magnetic_load", "rigid_motion"});
+         "reaction_force", "energy", "magnetic_load", "contact_load", "rigid_motion"});
 }
 // Quantities of the whole fluid that probes.csv can have as columns.
 enum class FluidQuantity {

@@ -49,6 +49,7 @@ void refuse_absent(const LammpsInput& input) {
     need(input.drag.has_value(), "drag");
     need(input.platform.has_value(), "platform");
     need(!input.walls.empty(), "walls");
+    need(input.contact_load, "contact_load");
     need(!input.motions.empty(), "prescribed_motion");
     for (const Body& body : input.bodies) {
         need(is_viscous(body), "viscosity");

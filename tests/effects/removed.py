@@ -80,6 +80,7 @@ EFFECTS = {
     "dipoles": of_structure("dipoles"),
     "gravity": of_structure("gravity", gravity="null"),
     "drag": of_structure("drag", damping="null"),
+    "contact_load": of_structure("contact_load"),
     "platform": of_structure("platform", platform="null"),
     "contact": of_structure("contact", contact="null"),
     "walls": of_structure("walls"),

@@ -25,12 +25,14 @@ struct BodyLoads {
     double kinetic_beyond_nodes_j = 0;
     // Force of clamps, rollers and prescribed motions on each node of the body [N].
     std::vector<Vec3> support_n{};
+    // Force of contact, platform and walls on each node of the body [N].
+    std::vector<Vec3> contact_n{};
     // Torque of the fluid about the origin of space; comes with fluid_force_n.
     Vec3 fluid_torque_n_m{};
     // Mean of fluid_force_n since the last row; for probes.mean_forces.
     Vec3 mean_fluid_force_n{};
 };
-enum class Load { none, fluid_force, fluid_torque, energies, support };
+enum class Load { none, fluid_force, fluid_torque, energies, support, contact };
 // True if a probe of the scene needs the load. The torque needs the force as well, for it
 // is written about the centre of mass.
 bool needs(const scene::Scene& scene, Load load);

@@ -93,6 +93,10 @@ class Engine final : public coupler::StructureSolver {
     // includes forces that rollers take up. Collective.
     std::vector<Vec3> gather_forces(int atoms) const;
 
+    // The share of contact, platform and walls in these forces, likewise; for
+    // LammpsInput::contact_load.
+    std::vector<Vec3> gather_contact_forces(int atoms) const;
+
     // Entry n (from 1) of a fix's global vector. Collective. Throws std::logic_error if
     // there is no such fix.
     double fix_vector(const std::string& fix_id, int n) const;
@@ -140,6 +144,7 @@ class Engine final : public coupler::StructureSolver {
     structure::KeepsPairs* keeper() const;
     structure::MovesRigidParts* rigid_parts() const;
     int fix_number(const std::string& fix_id) const;
+    std::vector<Vec3> gather_vectors(int atoms, const std::vector<double>& mine) const;
 
     MPI_Comm comm_;
     std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
