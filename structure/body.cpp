@@ -42,9 +42,10 @@ void check_in_one_piece(const Body& body, const std::vector<int>& part_of_node,
         if (part < 0) continue;
         const int its_root = root_of(parent, static_cast<int>(n));
         if (root[part] >= 0 && root[part] != its_root)
-            refuse("a rigid part in pieces that do not touch, {}; allowed is one piece: "
-                   "name each piece as a region of its own",
-                   name(part));
+            refuse(
+                "a rigid part in pieces that do not touch, {}; allowed is one piece: "
+                "name each piece as a region of its own",
+                name(part));
         root[part] = its_root;
     }
     for (std::size_t p = 0; p < root.size(); ++p)
@@ -109,9 +110,10 @@ std::vector<int> rigid_part_of_nodes(const Body& body) {
     const std::size_t elements = body.mesh.elements.size();
     if (body.rigid_parts.empty() && body.element_rigid.empty()) return {};
     if (body.element_rigid.size() != elements)
-        refuse("body {} has {} numbers of rigid parts for {} elements, one an element is "
-               "needed",
-               body.name, body.element_rigid.size(), elements);
+        refuse(
+            "body {} has {} numbers of rigid parts for {} elements, one an element is "
+            "needed",
+            body.name, body.element_rigid.size(), elements);
     const auto name = [&](int part) {
         const std::string& region = body.rigid_parts[part].name;
         return region.empty() ? "the body" : "the region \"" + region + "\"";
@@ -125,10 +127,11 @@ std::vector<int> rigid_part_of_nodes(const Body& body) {
                    body.name, part, body.rigid_parts.size());
         for (const int node : body.mesh.elements[e]) {
             if (out[node] >= 0 && out[node] != part)
-                refuse("rigid parts that touch each other, {} and {}; allowed are parts "
-                       "with a soft element between them: make them one region, or "
-                       "leave a gap",
-                       name(out[node]), name(part));
+                refuse(
+                    "rigid parts that touch each other, {} and {}; allowed are parts "
+                    "with a soft element between them: make them one region, or "
+                    "leave a gap",
+                    name(out[node]), name(part));
             out[node] = part;
         }
     }
@@ -157,10 +160,11 @@ void refuse_held_rigid_parts(const Body& body, const std::vector<HeldAxes>& held
     const std::vector<int> part = rigid_part_of_nodes(body);
     for (std::size_t n = 0; n < part.size(); ++n) {
         if (part[n] < 0 || held[n] == HeldAxes{}) continue;
-        refuse("body {} has a rigid part with a node that a clamp, a roller or a "
-               "prescribed motion holds; allowed are faces of soft elements only: leave "
-               "the face out, or hold the part by a pivot or a hinge",
-               body.name);
+        refuse(
+            "body {} has a rigid part with a node that a clamp, a roller or a "
+            "prescribed motion holds; allowed are faces of soft elements only: leave "
+            "the face out, or hold the part by a pivot or a hinge",
+            body.name);
     }
 }
 

@@ -124,9 +124,8 @@ struct WireMesh {
     bool operator==(const WireMesh&) const = default;
 };
 
-using MeshOptions =
-    std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix, BallMesh,
-                 CylinderMesh, CapsuleMesh, ConeMesh, WireMesh>;
+using MeshOptions = std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix,
+                                 BallMesh, CylinderMesh, CapsuleMesh, ConeMesh, WireMesh>;
 
 // --- parts of a body, in its own frame ---
 

@@ -76,15 +76,17 @@ RigidMotion::RigidMotion(const RigidInertia& of) : start_(of) {
                of.mass_kg);
     start_place_m_ = of.centre_m;
     if (is_held())
-        start_place_m_ = std::visit([](const auto& hold) { return hold.about_m; }, *of.hold);
+        start_place_m_ =
+            std::visit([](const auto& hold) { return hold.about_m; }, *of.hold);
     const Matrix3d inertia = about(of, start_place_m_);
     const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(inertia);
     moment_ = solver.eigenvalues();
     if (!(moment_[0] > least_ratio * moment_[2]))
-        refuse("a rigid part with the principal moments of inertia {:g}, {:g} and {:g} "
-               "kg m2 found, all must be positive: a single node or nodes along a line "
-               "cannot turn as a body",
-               moment_[0], moment_[1], moment_[2]);
+        refuse(
+            "a rigid part with the principal moments of inertia {:g}, {:g} and {:g} "
+            "kg m2 found, all must be positive: a single node or nodes along a line "
+            "cannot turn as a body",
+            moment_[0], moment_[1], moment_[2]);
     Matrix3d axes = solver.eigenvectors();
     if (axes.determinant() < 0) axes.col(0) *= -1;
     axes_ = Quaterniond(axes).normalized();
@@ -105,8 +107,7 @@ void RigidMotion::set_velocity(const Vec3& velocity_m_s,
         momentum_ = to_vec3(about_axis_kg_m2_ * axis_.dot(rate) * axis_);
         return;
     }
-    momentum_ =
-        to_vec3(turn_ * moment_.cwiseProduct(turn_.conjugate() * rate).eval());
+    momentum_ = to_vec3(turn_ * moment_.cwiseProduct(turn_.conjugate() * rate).eval());
 }
 
 void RigidMotion::set_load(const Vec3& force_n, const Vec3& torque_n_m) {

@@ -79,9 +79,9 @@ class RigidMotion {
     bool is_held() const { return start_.hold.has_value(); }
 
     RigidInertia start_;
-    Vec3 start_place_m_{};         // reference_m() at the start
-    Eigen::Quaterniond axes_;      // from the principal axes to space, at the start
-    Eigen::Vector3d moment_;       // principal moments about the reference [kg m2]
+    Vec3 start_place_m_{};           // reference_m() at the start
+    Eigen::Quaterniond axes_;        // from the principal axes to space, at the start
+    Eigen::Vector3d moment_;         // principal moments about the reference [kg m2]
     Eigen::Vector3d axis_{0, 0, 0};  // unit vector of a hinge; zero without one
     double about_axis_kg_m2_ = 0;
 

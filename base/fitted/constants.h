@@ -242,8 +242,8 @@ inline constexpr double elastic_margin = 0.9;
 // Test: structure_rigid_parts.
 inline constexpr double rigid_turn_of_a_step = 0.01;
 
-// Part of the limit of stability of the drag (explicit, limit 2 / rate), which then decays without overshoot.
-// Test: none.
+// Part of the limit of stability of the drag (explicit, limit 2 / rate), which then
+// decays without overshoot. Test: none.
 inline constexpr double drag_margin = 0.5;
 
 // While bodies deform: the largest part of the present limit that a step may be, which

@@ -91,8 +91,9 @@ Platform with_stiffness(const Platform& platform, std::span<const Body> bodies) 
         }
     }
     if (!(out.stiffness_pa_m > 0))
-        refuse("a platform without stiffness found, and no body has a modulus from which "
-               "it would follow; give the stiffness");
+        refuse(
+            "a platform without stiffness found, and no body has a modulus from which "
+            "it would follow; give the stiffness");
     return out;
 }
 

@@ -13,8 +13,8 @@ namespace magfsi::structure {
 
 // Motion of a rigid part at one time.
 struct RigidPartMotion {
-    Vec3 centre_m{};                              // of mass
-    Eigen::Quaterniond turn{1, 0, 0, 0};          // since the start
+    Vec3 centre_m{};                                // of mass
+    Eigen::Quaterniond turn{1, 0, 0, 0};            // since the start
     Vec3 velocity_m_s{}, angular_velocity_rad_s{};  // of the centre of mass, in space
     double kinetic_j = 0;
 };

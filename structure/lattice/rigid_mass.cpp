@@ -109,8 +109,7 @@ Matrix3d inertia_beyond_nodes_kg_m2(const Body& body, int part,
     return solid_of(body, part, nodes_m, origin).inertia() - lumped.inertia();
 }
 
-double rate_on_part(const Body& body, int part,
-                        const std::vector<double>& of_node) {
+double rate_on_part(const Body& body, int part, const std::vector<double>& of_node) {
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     const std::span<const Vec3> nodes_m(body.mesh.nodes);
     const RigidMass mass = rigid_mass(body, part, nodes_m);

@@ -22,8 +22,8 @@ struct RigidMass {
 // part. The solid's own integrals are exact for its mesh (3 x 3 x 3 Gauss points, as the
 // integrand x_i x_j |J| of a trilinear element has the degree 4 along each of its axes);
 // masses lumped at its nodes would have the same sum and centre, but an inertia that is
-// too large by 2 / n^2 along an axis of n elements. nodes_m: positions of all nodes of the
-// body, which may be turned and moved but not deformed.
+// too large by 2 / n^2 along an axis of n elements. nodes_m: positions of all nodes of
+// the body, which may be turned and moved but not deformed.
 RigidMass rigid_mass(const Body& body, int part, std::span<const Vec3> nodes_m);
 
 // The inertia of the part's solid less that of its masses lumped at the nodes [kg m2],
@@ -35,8 +35,7 @@ Eigen::Matrix3d inertia_beyond_nodes_kg_m2(const Body& body, int part,
 // Largest eigenvalue of springs or dampers on the nodes of a rigid part, each the same
 // along every axis, over the part's mass and inertia: [1/s2] of stiffnesses [N/m], [1/s]
 // of drags [kg/s]. of_node: one a node of the body.
-double rate_on_part(const Body& body, int part,
-                        const std::vector<double>& of_node);
+double rate_on_part(const Body& body, int part, const std::vector<double>& of_node);
 
 // Magnetic moment of the part's elements [A m2], undeformed; 0 without magnetisation.
 Vec3 moment_of_part_a_m2(const Body& body, int part);

@@ -38,8 +38,8 @@ struct RoundGrid {
     bool ends = false;
 };
 
-// Numbers the nodes of a grid as elements ask for them. Layers of neighbouring faces share
-// the nodes over their common edge.
+// Numbers the nodes of a grid as elements ask for them. Layers of neighbouring faces
+// share the nodes over their common edge.
 class GridNodes {
   public:
     GridNodes(Mesh& mesh, const RoundGrid& grid,
@@ -104,8 +104,8 @@ Mesh grid_of(const RoundGrid& grid, std::function<Vec3(const GridPlace&)> positi
             for (int i = 0; i < nx; ++i) {
                 Hexahedron element{};
                 for (int a = 0; a < 8; ++a)
-                    element[a] = nodes.number(
-                        {i + (a & 1), j + ((a >> 1) & 1), k + (a >> 2)}, 0);
+                    element[a] =
+                        nodes.number({i + (a & 1), j + ((a >> 1) & 1), k + (a >> 2)}, 0);
                 mesh.elements.push_back(oriented(mesh.nodes, element));
             }
         }
@@ -117,9 +117,9 @@ Mesh grid_of(const RoundGrid& grid, std::function<Vec3(const GridPlace&)> positi
     return mesh;
 }
 
-// Place in a ball or, with u[0] = 0, in a disc of radius 1: u from -1 to 1 along each axis
-// of the core, `out` from the core to the surface. Points of the surface are at equal
-// angles.
+// Place in a ball or, with u[0] = 0, in a disc of radius 1: u from -1 to 1 along each
+// axis of the core, `out` from the core to the surface. Points of the surface are at
+// equal angles.
 Vector3d in_unit_ball(const Vector3d& u, double out) {
     const double largest = u.cwiseAbs().maxCoeff();
     if (largest == 0) return Vector3d::Zero();
@@ -172,13 +172,12 @@ std::vector<double> evenly(double from, double to, int count) {
 Mesh turned(double length_m, const std::array<int, 3>& elements,
             const std::function<double(double)>& radius_m) {
     const auto [across, layers, along] = elements;
-    return grid_of(
-        {{along, across, across}, layers, false}, [&](const GridPlace& at) {
-            const double share = 1.0 * at.core[0] / along;
-            const Vector3d u(0, centred(at.core[1], across), centred(at.core[2], across));
-            const Vector3d x = radius_m(share) * in_unit_ball(u, at.out);
-            return Vec3{length_m * (share - 0.5), x[1], x[2]};
-        });
+    return grid_of({{along, across, across}, layers, false}, [&](const GridPlace& at) {
+        const double share = 1.0 * at.core[0] / along;
+        const Vector3d u(0, centred(at.core[1], across), centred(at.core[2], across));
+        const Vector3d x = radius_m(share) * in_unit_ball(u, at.out);
+        return Vec3{length_m * (share - 0.5), x[1], x[2]};
+    });
 }
 
 }  // namespace
@@ -187,13 +186,14 @@ Mesh ball_mesh(const BallMesh& ball) {
     const auto [across, layers] = ball.elements;
     check("a ball", {ball.diameter_m}, {across, layers});
     const double r = 0.5 * ball.diameter_m;
-    Mesh mesh = grid_of({{across, across, across}, layers, true}, [&](const GridPlace& at) {
-        const Vector3d x = r * in_unit_ball({centred(at.core[0], across),
-                                             centred(at.core[1], across),
-                                             centred(at.core[2], across)},
-                                            at.out);
-        return Vec3{x[0], x[1], x[2]};
-    });
+    Mesh mesh =
+        grid_of({{across, across, across}, layers, true}, [&](const GridPlace& at) {
+            const Vector3d x = r * in_unit_ball({centred(at.core[0], across),
+                                                 centred(at.core[1], across),
+                                                 centred(at.core[2], across)},
+                                                at.out);
+            return Vec3{x[0], x[1], x[2]};
+        });
     const double factor = std::cbrt(4.0 / 3 * pi * r * r * r / volume_m3(mesh));
     for (Vec3& x : mesh.nodes) x *= factor;
     return mesh;
@@ -203,8 +203,7 @@ Mesh cylinder_mesh(const CylinderMesh& cylinder) {
     check("a cylinder", {cylinder.diameter_m, cylinder.length_m},
           {cylinder.elements[0], cylinder.elements[1], cylinder.elements[2]});
     const double r = 0.5 * cylinder.diameter_m;
-    Mesh mesh =
-        turned(cylinder.length_m, cylinder.elements, [&](double) { return r; });
+    Mesh mesh = turned(cylinder.length_m, cylinder.elements, [&](double) { return r; });
     scale_sections(mesh, pi * r * r * cylinder.length_m);
     add_centre_line(mesh, evenly(-0.5 * cylinder.length_m, 0.5 * cylinder.length_m,
                                  cylinder.elements[2]));
@@ -218,8 +217,8 @@ Mesh cone_mesh(const ConeMesh& cone) {
     Mesh mesh = turned(cone.length_m, cone.elements,
                        [&](double share) { return a + (b - a) * share; });
     scale_sections(mesh, pi / 3 * (a * a + a * b + b * b) * cone.length_m);
-    add_centre_line(
-        mesh, evenly(-0.5 * cone.length_m, 0.5 * cone.length_m, cone.elements[2]));
+    add_centre_line(mesh,
+                    evenly(-0.5 * cone.length_m, 0.5 * cone.length_m, cone.elements[2]));
     return mesh;
 }
 
@@ -230,13 +229,15 @@ Mesh capsule_mesh(const CapsuleMesh& capsule) {
     const double r = 0.5 * capsule.diameter_m;
     const double straight_m = capsule.length_m - capsule.diameter_m;
     if (!(straight_m > 0))
-        refuse("a capsule {:g} m long and {:g} m thick found; it must be longer than "
-               "thick, or take a ball",
-               capsule.length_m, capsule.diameter_m);
+        refuse(
+            "a capsule {:g} m long and {:g} m thick found; it must be longer than "
+            "thick, or take a ball",
+            capsule.length_m, capsule.diameter_m);
     if (across % 2 != 0)
-        refuse("a capsule with {} elements across its core found; an even number is "
-               "needed, half of them in each end",
-               across);
+        refuse(
+            "a capsule with {} elements across its core found; an even number is "
+            "needed, half of them in each end",
+            across);
     const int half = across / 2;
     Mesh mesh = grid_of(
         {{across + along, across, across}, layers, true}, [&](const GridPlace& at) {
@@ -248,8 +249,8 @@ Mesh capsule_mesh(const CapsuleMesh& capsule) {
             return Vec3{x[0] + straight_m * (1.0 * into / along - 0.5), x[1], x[2]};
         });
     scale_sections(mesh, pi * r * r * (straight_m + 4.0 / 3 * r));
-    add_centre_line(mesh, evenly(-0.5 * capsule.length_m, 0.5 * capsule.length_m,
-                                 along + across));
+    add_centre_line(
+        mesh, evenly(-0.5 * capsule.length_m, 0.5 * capsule.length_m, along + across));
     return mesh;
 }
 
@@ -285,7 +286,8 @@ class WireLine {
         double sum = 0;
         for (int i = 0; i < parts; ++i) {
             const double r = radius_m(end_ * (i + 0.5) / parts);
-            sum += pi * r * r * (at(end_ * (i + 1) / parts) - at(end_ * i / parts)).norm();
+            sum +=
+                pi * r * r * (at(end_ * (i + 1) / parts) - at(end_ * i / parts)).norm();
         }
         return sum;
     }
@@ -357,18 +359,21 @@ void check_wire(const WireMesh& wire) {
     constexpr double least_a_turn = 8;
     const double turns = wire.turns + (wire.head ? 1.5 : 0);
     if (wire.elements[2] < least_a_turn * turns * (1 - 1e-9))
-        refuse("a helix of wire of {:.4g} turns in {} elements found; at least {:.0f} are "
-               "needed, {:.0f} a turn",
-               turns, wire.elements[2], std::ceil(least_a_turn * turns), least_a_turn);
+        refuse(
+            "a helix of wire of {:.4g} turns in {} elements found; at least {:.0f} are "
+            "needed, {:.0f} a turn",
+            turns, wire.elements[2], std::ceil(least_a_turn * turns), least_a_turn);
     if (!(0.5 * wire.diameter_m < (r * r + c * c) / r))
-        refuse("a helix of wire {:g} m thick found, whose curve has a radius of {:g} m; "
-               "less than twice that radius is allowed",
-               wire.diameter_m, (r * r + c * c) / r);
+        refuse(
+            "a helix of wire {:g} m thick found, whose curve has a radius of {:g} m; "
+            "less than twice that radius is allowed",
+            wire.diameter_m, (r * r + c * c) / r);
     const double apart_m = wire.pitch_m * r / std::hypot(r, c);
     if (wire.turns > 1 && !(wire.diameter_m < apart_m))
-        refuse("a helix of wire {:g} m thick found, whose turns are {:g} m apart; less is "
-               "allowed, or they pass through each other",
-               wire.diameter_m, apart_m);
+        refuse(
+            "a helix of wire {:g} m thick found, whose turns are {:g} m apart; less is "
+            "allowed, or they pass through each other",
+            wire.diameter_m, apart_m);
 }
 
 }  // namespace
@@ -380,14 +385,16 @@ Mesh wire_mesh(const WireMesh& wire) {
     const std::vector<WirePlace> at_section = sections(line, along);
     double factor = 1;
     const auto make = [&] {
-        return grid_of({{along, across, across}, layers, false}, [&](const GridPlace& at) {
-            const WirePlace& place = at_section[at.core[0]];
-            const Vector3d u(0, centred(at.core[1], across), centred(at.core[2], across));
-            const Vector3d x = factor * place.radius_m * in_unit_ball(u, at.out);
-            const Vector3d p = place.middle + x[1] * place.side +
-                               x[2] * place.tangent.cross(place.side);
-            return Vec3{p[0], p[1], p[2]};
-        });
+        return grid_of(
+            {{along, across, across}, layers, false}, [&](const GridPlace& at) {
+                const WirePlace& place = at_section[at.core[0]];
+                const Vector3d u(0, centred(at.core[1], across),
+                                 centred(at.core[2], across));
+                const Vector3d x = factor * place.radius_m * in_unit_ball(u, at.out);
+                const Vector3d p = place.middle + x[1] * place.side +
+                                   x[2] * place.tangent.cross(place.side);
+                return Vec3{p[0], p[1], p[2]};
+            });
     };
     factor = std::sqrt(line.volume_m3() / volume_m3(make()));
     Mesh mesh = make();

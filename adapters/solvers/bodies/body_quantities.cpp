@@ -145,7 +145,7 @@ const BodyProbe& body_probe(scene::BodyQuantity quantity) {
           "contact_torque_x[N m]", "contact_torque_y[N m]", "contact_torque_z[N m]"},
          Load::contact,
          contact_load},
-        {Q::rigid_motion, {}, Load::none, nullptr},       // add_rigid_motion
+        {Q::rigid_motion, {}, Load::none, nullptr},  // add_rigid_motion
         {Q::energy,
          {"energy_elastic[J]", "energy_kinetic[J]", "work_magnetic[J]"},
          Load::energies,

@@ -30,8 +30,8 @@ RigidKinetics::RigidKinetics(const Solids& solids,
     }
 }
 
-double RigidKinetics::beyond_nodes_j(
-    std::span<const structure::RigidPartMotion> motions, std::size_t body) const {
+double RigidKinetics::beyond_nodes_j(std::span<const structure::RigidPartMotion> motions,
+                                     std::size_t body) const {
     double sum = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (parts_[i].body != body) continue;

@@ -107,8 +107,9 @@ EnergyAudit::EnergyAudit(const scene::Scene& scene, const bodies::Solids& solids
       start_(std::move(start)),
       whole_kg_(start_.mass_kg),
       inside_kg_(start_.mass_kg.size()),
-      whole_(start_.position_m.empty() ? bodies::RigidKinetics{}
-                                       : bodies::RigidKinetics{solids, start_.position_m}),
+      whole_(start_.position_m.empty()
+                 ? bodies::RigidKinetics{}
+                 : bodies::RigidKinetics{solids, start_.position_m}),
       nodes_(whole_),
       gravity_m_s2_(bodies::to_gravity(scene).value_or(bodies::Vec3{})) {
     if (scene.fluid) {

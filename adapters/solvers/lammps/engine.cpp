@@ -133,8 +133,7 @@ std::vector<Vec3> Engine::gather_forces(int atoms) const {
     const double* const* const force =
         kept < 0 ? atom.f : lammps_->modify->fix[kept]->array_atom;
     std::vector<double> mine;
-    for (int i = 0; i < atom.nlocal; ++i)
-        mine.insert(mine.end(), force[i], force[i] + 3);
+    for (int i = 0; i < atom.nlocal; ++i) mine.insert(mine.end(), force[i], force[i] + 3);
     return gather_vectors(atoms, mine);
 }
 
@@ -142,7 +141,7 @@ std::vector<Vec3> Engine::gather_contact_forces(int atoms) const {
     int dimension = 0;
     const auto* const force = static_cast<const double*>(
         lammps_->modify->fix[fix_number("contact_load")]->extract("contact_force",
-                                                                      dimension));
+                                                                  dimension));
     return gather_vectors(atoms, {force, force + 3 * lammps_->atom->nlocal});
 }
 

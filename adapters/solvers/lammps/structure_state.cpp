@@ -97,9 +97,9 @@ std::optional<structure::FieldProgram> steered(const StructureRun& run,
 
 }  // namespace
 
-// Tables: nodes, sums (of the fixes), pairs, rigid, marker_NAME, numbers, balance, force_sums,
-// substeps, energy_audit, and those of the controller. Those that the run does not need
-// are absent.
+// Tables: nodes, sums (of the fixes), pairs, rigid, marker_NAME, numbers, balance,
+// force_sums, substeps, energy_audit, and those of the controller. Those that the run
+// does not need are absent.
 void save_structure(const StructureRun& run, StateWriter* file) {
     const MPI_Comm comm = run.session.world().local();
     Engine& engine = *run.engine;

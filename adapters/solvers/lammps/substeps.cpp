@@ -63,15 +63,15 @@ double largest_drag_rate(const scene::Scene& scene, const bodies::Solids& solids
             largest = std::max(largest, drag[n] / mass[n]);
         }
         for (std::size_t p = 0; p < solids[b].rigid_parts.size(); ++p)
-            largest = std::max(largest,
-                               structure::rate_on_part(solids[b], static_cast<int>(p), drag));
+            largest = std::max(
+                largest, structure::rate_on_part(solids[b], static_cast<int>(p), drag));
     }
     return largest;
 }
 
 // Step [s] that resolves the swings of rigid parts in the uniform field and under gravity
-// and their turns at the start; infinite where nothing makes them turn. The forces of soft
-// elements on them are the lattice's matter.
+// and their turns at the start; infinite where nothing makes them turn. The forces of
+// soft elements on them are the lattice's matter.
 double rigid_step_s(const scene::Scene& scene, const structure::LammpsInput& input) {
     // The free rotation is integrated to fourth order and takes larger angles.
     constexpr double of_free_turns = 0.2;
@@ -124,10 +124,9 @@ Substeps choose_substeps(const scene::Scene& scene, const structure::LammpsInput
         return s;
     }
     const auto wanted = scene::coupled_step_s(scene);
-    double limit = std::min(fitted::elastic_margin * s.elastic_limit_s,
-                            rigid_step_s(scene, input));
-    s.coupled_step_s =
-        wanted ? *wanted : scene::halved(scene, even_step_s(scene, limit));
+    double limit =
+        std::min(fitted::elastic_margin * s.elastic_limit_s, rigid_step_s(scene, input));
+    s.coupled_step_s = wanted ? *wanted : scene::halved(scene, even_step_s(scene, limit));
     if (scene.fluid && scene.coupling) {
         s.drag_limit_s = 2 / largest_drag_rate(scene, input.bodies, s.coupled_step_s);
         limit = std::min(limit, fitted::drag_margin * s.drag_limit_s);

@@ -64,7 +64,8 @@ class FixContactLoad : public LAMMPS_NS::Fix {
 
   private:
     void note(std::vector<double>& forces) const {
-        forces.assign(atom->f[0], atom->f[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
+        forces.assign(atom->f[0],
+                      atom->f[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
     }
 
     bool ends_ = false;
@@ -77,9 +78,8 @@ void add_begin(Lines& lines, const LammpsInput&) {
 }
 
 void add_end(Lines& lines, const LammpsInput& input) {
-    lines.push_back(
-        fmt::format("fix contact_load all magttice/contact_load end {:.17g}",
-                    fmt::join(input.gravity_m_s2.value_or(Vec3{}), " ")));
+    lines.push_back(fmt::format("fix contact_load all magttice/contact_load end {:.17g}",
+                                fmt::join(input.gravity_m_s2.value_or(Vec3{}), " ")));
 }
 
 }  // namespace

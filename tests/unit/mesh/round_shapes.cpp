@@ -19,8 +19,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A mesh that a solver takes: valid elements, one connected piece, a closed surface, whose
-// nodes are those of the faces.
+// A mesh that a solver takes: valid elements, one connected piece, a closed surface,
+// whose nodes are those of the faces.
 void expect_sound(const Mesh& mesh, double volume, bool faces_cover = true) {
     EXPECT_NO_THROW(refuse_broken_mesh(mesh));
     EXPECT_NEAR(volume_m3(mesh) / volume, 1, 1e-12);

@@ -23,9 +23,10 @@ TEST(Effects, of_a_swimmer) {
                      "energy audit", "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "field sources", "dipoles", "control",
-                     "platform", "friction", "contact", "rigid parts", "rollers", "prescribed motion",
-                     "implicit scheme", "bulk viscosity", "eddy viscosity", "rheology",
-                     "free slip", "inlets and outlets", "refinement", "obstacles"}));
+                     "platform", "friction", "contact", "rigid parts", "rollers",
+                     "prescribed motion", "implicit scheme", "bulk viscosity",
+                     "eddy viscosity", "rheology", "free slip", "inlets and outlets",
+                     "refinement", "obstacles"}));
 }
 
 TEST(Effects, AnUnknownNameIsAnError) {

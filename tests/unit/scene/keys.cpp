@@ -338,7 +338,8 @@ TEST(Keys, of_rigid_parts_and_round_bodies) {
     EXPECT_EQ(std::get<Pivot>(*bodies[1].hold).about_m, (Vec3{1e-3, 2e-3, 3e-3}));
     EXPECT_NEAR((*bodies[1].initial.angular_velocity_rad_s)[0], std::numbers::pi / 2,
                 1e-15);
-    EXPECT_EQ(std::get<CapsuleMesh>(bodies[2].mesh), (CapsuleMesh{1e-3, 3e-3, {2, 1, 4}}));
+    EXPECT_EQ(std::get<CapsuleMesh>(bodies[2].mesh),
+              (CapsuleMesh{1e-3, 3e-3, {2, 1, 4}}));
     EXPECT_EQ(bodies[2].initial.velocity_m_s, (Vec3{1e-3, 2e-3, 3e-3}));
     EXPECT_EQ(std::get<CylinderMesh>(bodies[3].mesh),
               (CylinderMesh{0.5e-3, 3e-3, {1, 1, 6}}));
@@ -347,8 +348,9 @@ TEST(Keys, of_rigid_parts_and_round_bodies) {
     EXPECT_TRUE(bodies[4].rigid.empty());
     EXPECT_EQ(std::get<ConeMesh>(bodies[4].mesh),
               (ConeMesh{{1e-3, 0.2e-3}, 2e-3, {2, 1, 5}}));
-    EXPECT_EQ(std::get<WireMesh>(bodies[5].mesh),
-              (WireMesh{0.5e-3, 1e-3, 3, 0.2e-3, {1, 1, 60}, true, WireHead{0.8e-3, 1e-3}}));
+    EXPECT_EQ(
+        std::get<WireMesh>(bodies[5].mesh),
+        (WireMesh{0.5e-3, 1e-3, 3, 0.2e-3, {1, 1, 60}, true, WireHead{0.8e-3, 1e-3}}));
 }
 
 TEST(Keys, of_shapes) {

@@ -57,8 +57,8 @@ TEST(RigidMass, OfABoxOfOneElementIsThatOfTheSolid) {
     EXPECT_NEAR(beyond(2, 2) / found.inertia_kg_m2(2, 2), -2, 1e-12);
 }
 
-// The integrals are exact for elements of any shape: one skewed element, cut into 216, has
-// the same.
+// The integrals are exact for elements of any shape: one skewed element, cut into 216,
+// has the same.
 TEST(RigidMass, OfASkewedElementIsExact) {
     const auto skewed = [](int n) {
         Mesh mesh = box_mesh({{1, 1, 1}, {n, n, n}});
@@ -190,8 +190,8 @@ TEST(RigidMotion, OfAnAsymmetricBodyKeepsEnergyAndMomentumOver100Turns) {
         advance(body, 1.0 / 10 / 200, 200);
         energy_error = std::max(energy_error, std::abs(body.kinetic_j() / energy - 1));
         // From the nodes' velocities, not from the state that is kept.
-        const Matrix3d now = turned(brick_inertia().inertia_kg_m2,
-                                    body.turn().toRotationMatrix());
+        const Matrix3d now =
+            turned(brick_inertia().inertia_kg_m2, body.turn().toRotationMatrix());
         const Vec3 w = body.angular_velocity_rad_s();
         const Vector3d l = now * Vector3d(w[0], w[1], w[2]);
         momentum_error = std::max(
@@ -235,15 +235,14 @@ TEST(RigidMotion, OfAHeavyTopPrecessesAsTheClosedFormSays) {
     const double mass = 0.01, r = 0.02, arm = 0.03, g = 9.81, tilt = pi / 6;
     const double i3 = 0.5 * mass * r * r, i1 = 0.25 * mass * r * r + mass * arm * arm;
     const double precession = 9, c = std::cos(tilt);
-    const double spin = (i1 * c * precession * precession + mass * g * arm) /
-                        (i3 * precession);
+    const double spin =
+        (i1 * c * precession * precession + mass * g * arm) / (i3 * precession);
     const Vector3d axis(std::sin(tilt), 0, c);
     Matrix3d inertia = 0.25 * mass * r * r * Matrix3d::Identity();
     inertia += (i3 - 0.25 * mass * r * r) * axis * axis.transpose();
     const Vector3d centre = arm * axis;
     RigidMotion top({mass, {centre[0], centre[1], centre[2]}, inertia, Pivot{}});
-    const Vector3d rate =
-        precession * Vector3d::UnitZ() + (spin - precession * c) * axis;
+    const Vector3d rate = precession * Vector3d::UnitZ() + (spin - precession * c) * axis;
     top.set_velocity({}, {rate[0], rate[1], rate[2]});
     const Load weight = [&](RigidMotion& body) {
         const Vec3 force{0, 0, -mass * g};
@@ -275,8 +274,8 @@ TEST(RigidMotion, OfACompassNeedleHasTheFrequencyOfTheClosedForm) {
         const Load torque = [&](RigidMotion& now) {
             const Vector3d moment =
                 now.turn() * Vector3d(std::cos(theta), 0, std::sin(theta));
-            now.set_load({}, stiffness * cross({moment[0], moment[1], moment[2]},
-                                               Vec3{1, 0, 0}));
+            now.set_load(
+                {}, stiffness * cross({moment[0], moment[1], moment[2]}, Vec3{1, 0, 0}));
         };
         torque(body);
         const double step = 0.01 / rate;
@@ -311,8 +310,7 @@ TEST(RigidMotion, OnAHingeIsAPhysicalPendulum) {
     of.hold = Hinge{{1, 1, 0}, about};
     RigidMotion body(of);
     const double g = 9.81;
-    const double inertia =
-        axis.dot(of.inertia_kg_m2 * axis) + of.mass_kg * 16e-6;
+    const double inertia = axis.dot(of.inertia_kg_m2 * axis) + of.mass_kg * 16e-6;
     body.set_velocity({}, {0.07, 0.07, 0});
     const Load weight = [&](RigidMotion& now) {
         const Vec3 force{0, 0, -of.mass_kg * g};
@@ -341,13 +339,15 @@ TEST(RigidMotion, GoesOnFromItsStateToTheBit) {
 }
 
 TEST(RigidMotion, RefusesASingleNodeAndALine) {
-    EXPECT_NE(test::message_of([] { RigidMotion({1, {}, Matrix3d::Zero(), {}}); })
-                  .find("moments of inertia"),
+    EXPECT_NE(test::message_of([] {
+                  RigidMotion({1, {}, Matrix3d::Zero(), {}});
+              }).find("moments of inertia"),
               std::string::npos);
     const Matrix3d line = Vector3d(0, 1, 1).asDiagonal();
     EXPECT_FALSE(test::message_of([&] { RigidMotion({1, {}, line, {}}); }).empty());
-    EXPECT_FALSE(
-        test::message_of([] { RigidMotion({0, {}, Matrix3d::Identity(), {}}); }).empty());
+    EXPECT_FALSE(test::message_of([] {
+                     RigidMotion({0, {}, Matrix3d::Identity(), {}});
+                 }).empty());
 }
 
 }  // namespace

@@ -94,8 +94,9 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
         }
     }
     if (std::isinf(softest))
-        refuse("contact without stiffness found, and no body has a modulus from which it "
-               "would follow; give the stiffness");
+        refuse(
+            "contact without stiffness found, and no body has a modulus from which it "
+            "would follow; give the stiffness");
     return fitted::contact_stiffness * softest / distance_m;
 }
 

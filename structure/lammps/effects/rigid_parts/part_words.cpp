@@ -25,9 +25,9 @@ std::string words_of_part(const PartWords& part) {
             out += fmt::format(" hinge {:.17g} {:.17g}", fmt::join(hinge->about_m, " "),
                                fmt::join(hinge->axis, " "));
         else
-            out += fmt::format(
-                " pivot {:.17g}",
-                fmt::join(std::get<Pivot>(*part.inertia.hold).about_m, " "));
+            out +=
+                fmt::format(" pivot {:.17g}",
+                            fmt::join(std::get<Pivot>(*part.inertia.hold).about_m, " "));
     }
     return out + " nodes " + id_ranges(part.ids);
 }
@@ -74,9 +74,10 @@ PartWords read_part(WordReader& words) {
         part.inertia.hold = Pivot{words.vector()};
     }
     if (!words.take("nodes"))
-        refuse("\"{}\" found; a part has velocity with six numbers, pivot with three or "
-               "hinge with six, then nodes with atom IDs",
-               words.word());
+        refuse(
+            "\"{}\" found; a part has velocity with six numbers, pivot with three or "
+            "hinge with six, then nodes with atom IDs",
+            words.word());
     while (!words.done() && !words.next_is("part")) add_ids(part.ids, words.word());
     return part;
 }

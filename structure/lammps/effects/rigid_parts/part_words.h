@@ -2,8 +2,8 @@
 // The words of a rigid part in the command of fix magttice/rigid:
 //   part MASS CX CY CZ IXX IYY IZZ IXY IXZ IYZ [velocity VX VY VZ WX WY WZ]
 //        [pivot PX PY PZ | hinge PX PY PZ AX AY AZ] nodes RANGE ...
-// Mass, centre of mass and inertia about it are those at the start; a RANGE of atom IDs is
-// N, N:M or N:M:STEP.
+// Mass, centre of mass and inertia about it are those at the start; a RANGE of atom IDs
+// is N, N:M or N:M:STEP.
 #pragma once
 
 #include <string>

@@ -57,9 +57,9 @@ class FixMagtticeRigid : public LAMMPS_NS::Fix, public MovesRigidParts {
     void final_integrate() override;
 
     double compute_scalar() override;  // kinetic energy of all parts [J]
-    // Row: a part. Columns: centre of mass, unit quaternion (w, x, y, z) of the turn since
-    // the start, velocity, angular velocity, angular momentum about the centre or the
-    // point that is held.
+    // Row: a part. Columns: centre of mass, unit quaternion (w, x, y, z) of the turn
+    // since the start, velocity, angular velocity, angular momentum about the centre or
+    // the point that is held.
     double compute_array(int row, int column) override;
     void write_restart(FILE* file) override;
     void restart(char* buffer) override;
@@ -79,7 +79,7 @@ class FixMagtticeRigid : public LAMMPS_NS::Fix, public MovesRigidParts {
     struct Part {
         RigidMotion motion;
         std::vector<int> ids;
-        std::vector<Vec3> start_m;  // one per ID
+        std::vector<Vec3> start_m;                 // one per ID
         Matrix3d beyond_nodes = Matrix3d::Zero();  // inertia, at the start [kg m2]
         std::vector<OwnNode> own{};
     };
@@ -124,15 +124,15 @@ void FixMagtticeRigid::read(WordReader words) {
     if (words.take("drag")) drag_.rate_1_s = words.value();
     while (words.take("part")) {
         const PartWords part = read_part(words);
-        parts_.push_back({RigidMotion(part.inertia), part.ids,
-                          std::vector<Vec3>(part.ids.size())});
-        parts_.back().motion.set_velocity(part.velocity_m_s,
-                                          part.angular_velocity_rad_s);
+        parts_.push_back(
+            {RigidMotion(part.inertia), part.ids, std::vector<Vec3>(part.ids.size())});
+        parts_.back().motion.set_velocity(part.velocity_m_s, part.angular_velocity_rad_s);
     }
     if (parts_.empty() || !words.done())
-        refuse("\"{}\" found; allowed are drag with a rate, then part with mass, centre, "
-               "inertia and nodes for each part",
-               words.done() ? "" : words.word());
+        refuse(
+            "\"{}\" found; allowed are drag with a rate, then part with mass, centre, "
+            "inertia and nodes for each part",
+            words.done() ? "" : words.word());
 }
 
 int FixMagtticeRigid::setmask() {
@@ -191,8 +191,8 @@ void FixMagtticeRigid::find_start() {
                      part.ids[n]);
             part.start_m[n] = vector_at(rows.data() + 5 * n);
             const Vector3d arm = as_eigen(part.start_m[n] - inertia.centre_m);
-            lumped += rows[5 * n + 3] * (arm.squaredNorm() * Matrix3d::Identity() -
-                                         arm * arm.transpose());
+            lumped += rows[5 * n + 3] *
+                      (arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose());
         }
         part.beyond_nodes = inertia.inertia_kg_m2 - lumped;
     }
@@ -259,7 +259,8 @@ void FixMagtticeRigid::sum_loads() {
         MPI_Allreduce(MPI_IN_PLACE, loads_.data(), static_cast<int>(loads_.size()),
                       MPI_DOUBLE, MPI_SUM, world);
     for (std::size_t p = 0; p < parts_.size(); ++p)
-        parts_[p].motion.set_load(vector_at(&loads_[6 * p]), vector_at(&loads_[6 * p + 3]));
+        parts_[p].motion.set_load(vector_at(&loads_[6 * p]),
+                                  vector_at(&loads_[6 * p + 3]));
 }
 
 void FixMagtticeRigid::set_velocities() {
@@ -383,7 +384,8 @@ void check_rigid_parts(const LammpsInput& input) {
     for (std::size_t b = 0; b < input.bodies.size(); ++b) {
         const Body& body = input.bodies[b];
         refuse_held_rigid_parts(body, held_axes(body));
-        if (!body.rigid_parts.empty() && !input.placements.empty() && input.placements[b].relaxed)
+        if (!body.rigid_parts.empty() && !input.placements.empty() &&
+            input.placements[b].relaxed)
             refuse("body {} has a rigid part and starts relaxed; allowed is one of both",
                    body.name);
     }
@@ -425,13 +427,13 @@ void add_fix(Lines& lines, const LammpsInput& input) {
 
 }  // namespace
 
-extern const Effect rigid_parts_effect{.name = "rigid_parts",
-                                       .asked = has_rigid_parts,
-                                       .check = check_rigid_parts,
-                                       .commands = add_group,
-                                       .after_integration = add_fix,
-                                       .group_left_out = "rigid",
-                                       .fix = {"magttice/rigid",
-                                               make_fix<FixMagtticeRigid>}};
+extern const Effect rigid_parts_effect{
+    .name = "rigid_parts",
+    .asked = has_rigid_parts,
+    .check = check_rigid_parts,
+    .commands = add_group,
+    .after_integration = add_fix,
+    .group_left_out = "rigid",
+    .fix = {"magttice/rigid", make_fix<FixMagtticeRigid>}};
 
 }  // namespace magfsi::structure
