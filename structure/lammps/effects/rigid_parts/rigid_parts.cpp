@@ -150,8 +150,6 @@ void FixMagtticeRigid::init() {
     }
     refuse_integrated();
     reset_dt();
-    if (!started_) find_start();
-    started_ = true;
 }
 
 // Fails if another fix integrates an atom of a part, which would move twice.
@@ -198,7 +196,11 @@ void FixMagtticeRigid::find_start() {
     }
 }
 
+// The map of the atoms is valid from here on, so that the start is looked up at the first
+// call.
 void FixMagtticeRigid::rebuild() {
+    if (!started_) find_start();
+    started_ = true;
     for (Part& part : parts_) {
         part.own.clear();
         for (std::size_t n = 0; n < part.ids.size(); ++n) {
