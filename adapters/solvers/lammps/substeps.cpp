@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -75,6 +76,8 @@ double largest_drag_rate(const scene::Scene& scene, const bodies::Solids& solids
 double rigid_step_s(const scene::Scene& scene, const structure::LammpsInput& input) {
     // The free rotation is integrated to fourth order and takes larger angles.
     constexpr double of_free_turns = 0.2;
+    if (!scene::has_effect(scene, "rigid parts"))
+        return std::numeric_limits<double>::infinity();
     const double field_t =
         scene.magnetic_field ? norm(bodies::strongest_field_t(scene)) : 0;
     const double gravity_m_s2 = input.gravity_m_s2 ? norm(*input.gravity_m_s2) : 0;
