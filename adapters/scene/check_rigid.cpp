@@ -7,6 +7,7 @@
 #include <span>
 
 #include "adapters/scene/checks.h"
+#include "adapters/scene/field.h"
 #include "structure/mesh/region.h"
 
 namespace magfsi::scene {
