@@ -23,11 +23,14 @@ std::vector<Material> materials_of_soft_elements(const Body& body) {
     return out;
 }
 
+std::string name_of_part(const Body& body, int part) {
+    const std::string& region = body.rigid_parts[part].name;
+    return region.empty() ? "the body" : "the region \"" + region + "\"";
+}
+
 // Refuses a rigid part whose elements no chain of common nodes joins: the pieces would
 // move as one although nothing holds them together.
-template <class Name>
-void check_in_one_piece(const Body& body, const std::vector<int>& part_of_node,
-                        const Name& name) {
+void check_in_one_piece(const Body& body, const std::vector<int>& part_of_node) {
     std::vector<int> parent(body.mesh.nodes.size());
     std::iota(parent.begin(), parent.end(), 0);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
@@ -45,13 +48,13 @@ void check_in_one_piece(const Body& body, const std::vector<int>& part_of_node,
             refuse(
                 "a rigid part in pieces that do not touch, {}; allowed is one piece: "
                 "name each piece as a region of its own",
-                name(part));
+                name_of_part(body, part));
         root[part] = its_root;
     }
     for (std::size_t p = 0; p < root.size(); ++p)
         if (root[p] < 0)
             refuse("{} found as a rigid part of body {}, and it has no element",
-                   name(static_cast<int>(p)), body.name);
+                   name_of_part(body, static_cast<int>(p)), body.name);
 }
 
 }  // namespace
@@ -114,10 +117,6 @@ std::vector<int> rigid_part_of_nodes(const Body& body) {
             "body {} has {} numbers of rigid parts for {} elements, one an element is "
             "needed",
             body.name, body.element_rigid.size(), elements);
-    const auto name = [&](int part) {
-        const std::string& region = body.rigid_parts[part].name;
-        return region.empty() ? "the body" : "the region \"" + region + "\"";
-    };
     std::vector<int> out(body.mesh.nodes.size(), -1);
     for (std::size_t e = 0; e < elements; ++e) {
         const int part = body.element_rigid[e];
@@ -131,11 +130,11 @@ std::vector<int> rigid_part_of_nodes(const Body& body) {
                     "rigid parts that touch each other, {} and {}; allowed are parts "
                     "with a soft element between them: make them one region, or "
                     "leave a gap",
-                    name(out[node]), name(part));
+                    name_of_part(body, out[node]), name_of_part(body, part));
             out[node] = part;
         }
     }
-    check_in_one_piece(body, out, name);
+    check_in_one_piece(body, out);
     return out;
 }
 
@@ -161,10 +160,10 @@ void refuse_held_rigid_parts(const Body& body, const std::vector<HeldAxes>& held
     for (std::size_t n = 0; n < part.size(); ++n) {
         if (part[n] < 0 || held[n] == HeldAxes{}) continue;
         refuse(
-            "body {} has a rigid part with a node that a clamp, a roller or a "
-            "prescribed motion holds; allowed are faces of soft elements only: leave "
-            "the face out, or hold the part by a pivot or a hinge",
-            body.name);
+            "a rigid part with a node that a clamp, a roller or a prescribed motion "
+            "holds, {}; allowed are faces of soft elements only: leave the face out, or "
+            "hold the part by a pivot or a hinge",
+            name_of_part(body, part[n]));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/eigen_vector.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -14,20 +15,13 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-Vector3d to_eigen(const Vec3& v) {
-    return {v[0], v[1], v[2]};
-}
-Vec3 to_vec3(const Vector3d& v) {
-    return {v[0], v[1], v[2]};
-}
-
 // The smallest principal moment over the largest that counts as more than rounding: a
 // needle a million times longer than thick has 1e-12.
 constexpr double least_ratio = 1e-13;
 
 // Inertia about another point, by the parallel-axis theorem.
 Matrix3d about(const RigidInertia& of, const Vec3& point_m) {
-    const Vector3d arm = to_eigen(of.centre_m - point_m);
+    const Vector3d arm = as_eigen(of.centre_m - point_m);
     return of.inertia_kg_m2 + of.mass_kg * (arm.squaredNorm() * Matrix3d::Identity() -
                                             arm * arm.transpose());
 }
@@ -92,7 +86,7 @@ RigidMotion::RigidMotion(const RigidInertia& of) : start_(of) {
     axes_ = Quaterniond(axes).normalized();
     if (const auto* hinge = is_held() ? std::get_if<Hinge>(&*of.hold) : nullptr) {
         if (!(norm(hinge->axis) > 0)) refuse("a hinge needs an axis with a direction");
-        axis_ = to_eigen(hinge->axis).normalized();
+        axis_ = as_eigen(hinge->axis).normalized();
         about_axis_kg_m2_ = axis_.dot(inertia * axis_);
     }
     place_m_ = start_place_m_;
@@ -102,12 +96,12 @@ RigidMotion::RigidMotion(const RigidInertia& of) : start_(of) {
 void RigidMotion::set_velocity(const Vec3& velocity_m_s,
                                const Vec3& angular_velocity_rad_s) {
     velocity_ = is_held() ? Vec3{} : velocity_m_s;
-    const Vector3d rate = to_eigen(angular_velocity_rad_s);
+    const Vector3d rate = as_eigen(angular_velocity_rad_s);
     if (about_axis_kg_m2_ > 0) {
-        momentum_ = to_vec3(about_axis_kg_m2_ * axis_.dot(rate) * axis_);
+        momentum_ = as_vec3(about_axis_kg_m2_ * axis_.dot(rate) * axis_);
         return;
     }
-    momentum_ = to_vec3(turn_ * moment_.cwiseProduct(turn_.conjugate() * rate).eval());
+    momentum_ = as_vec3(turn_ * moment_.cwiseProduct(turn_.conjugate() * rate).eval());
 }
 
 void RigidMotion::set_load(const Vec3& force_n, const Vec3& torque_n_m) {
@@ -117,7 +111,7 @@ void RigidMotion::set_load(const Vec3& force_n, const Vec3& torque_n_m) {
 
 void RigidMotion::push(double time_s) {
     if (about_axis_kg_m2_ > 0) {
-        momentum_ += to_vec3(time_s * axis_.dot(to_eigen(torque_n_m_)) * axis_);
+        momentum_ += as_vec3(time_s * axis_.dot(as_eigen(torque_n_m_)) * axis_);
         return;
     }
     momentum_ += time_s * torque_n_m_;
@@ -126,7 +120,7 @@ void RigidMotion::push(double time_s) {
 
 void RigidMotion::drift(double time_s) {
     place_m_ += time_s * velocity_;
-    const Vector3d momentum = to_eigen(momentum_);
+    const Vector3d momentum = as_eigen(momentum_);
     if (about_axis_kg_m2_ > 0) {
         const double half = 0.5 * time_s * axis_.dot(momentum) / about_axis_kg_m2_;
         const Vector3d v = std::sin(half) * axis_;
@@ -150,10 +144,10 @@ Vec3 RigidMotion::velocity_at(const Vec3& place_m) const {
 }
 
 Vec3 RigidMotion::angular_velocity_rad_s() const {
-    const Vector3d momentum = to_eigen(momentum_);
-    if (about_axis_kg_m2_ > 0) return to_vec3(momentum / about_axis_kg_m2_);
+    const Vector3d momentum = as_eigen(momentum_);
+    if (about_axis_kg_m2_ > 0) return as_vec3(momentum / about_axis_kg_m2_);
     const Vector3d in_axes = turn_.conjugate() * momentum;
-    return to_vec3(turn_ * in_axes.cwiseQuotient(moment_).eval());
+    return as_vec3(turn_ * in_axes.cwiseQuotient(moment_).eval());
 }
 
 // About a point that is held, the energy of the turn is all of it.

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "structure/eigen_vector.h"
 #include "structure/options.h"
 
 namespace magfsi::structure {
@@ -100,9 +101,7 @@ class RigidPlace {
           from_m_(motion.start_reference_m()),
           to_m_(motion.reference_m()) {}
     Vec3 of(const Vec3& at_start_m) const {
-        const Vec3 arm = at_start_m - from_m_;
-        const Eigen::Vector3d turned = turn_ * Eigen::Vector3d(arm[0], arm[1], arm[2]);
-        return to_m_ + Vec3{turned[0], turned[1], turned[2]};
+        return to_m_ + as_vec3(turn_ * as_eigen(at_start_m - from_m_));
     }
 
   private:

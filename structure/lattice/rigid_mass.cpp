@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "structure/eigen_vector.h"
 #include "structure/lattice/hexahedron.h"
 #include "structure/lattice/inertia.h"
 
@@ -32,10 +33,6 @@ struct PointSums {
     }
 };
 
-Vector3d to_eigen(const Vec3& v) {
-    return {v[0], v[1], v[2]};
-}
-
 // An origin among the nodes of the part, so that sums lose no digits far from (0, 0, 0).
 Vec3 origin_of(const Body& body, int part, std::span<const Vec3> nodes_m) {
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e)
@@ -61,7 +58,7 @@ void add_solid(PointSums& sums, const Positions8& nodes, double density_kg_m3) {
 Positions8 near_origin(std::span<const Vec3> nodes_m, const Hexahedron& element,
                        const Vec3& origin) {
     Positions8 x = gather(nodes_m, element);
-    x.rowwise() -= to_eigen(origin).transpose();
+    x.rowwise() -= as_eigen(origin).transpose();
     return x;
 }
 
@@ -88,11 +85,11 @@ RigidMass rigid_mass(const Body& body, int part, std::span<const Vec3> nodes_m) 
         for (std::size_t a = 0; a < 8; ++a) {
             const int node = body.mesh.elements[e][a];
             if (part_of_node[node] == part)
-                sums.add(masses_kg[e][a], to_eigen(nodes_m[node] - origin));
+                sums.add(masses_kg[e][a], as_eigen(nodes_m[node] - origin));
         }
     }
-    const Vector3d centre = sums.first / sums.mass;
-    return {sums.mass, origin + Vec3{centre[0], centre[1], centre[2]}, sums.inertia()};
+    const Vec3 centre = origin + as_vec3(sums.first / sums.mass);
+    return {sums.mass, centre, sums.inertia()};
 }
 
 Matrix3d inertia_beyond_nodes_kg_m2(const Body& body, int part,
@@ -104,7 +101,7 @@ Matrix3d inertia_beyond_nodes_kg_m2(const Body& body, int part,
         if (body.element_rigid[e] != part) continue;
         for (std::size_t a = 0; a < 8; ++a)
             lumped.add(masses_kg[e][a],
-                       to_eigen(nodes_m[body.mesh.elements[e][a]] - origin));
+                       as_eigen(nodes_m[body.mesh.elements[e][a]] - origin));
     }
     return solid_of(body, part, nodes_m, origin).inertia() - lumped.inertia();
 }
@@ -119,7 +116,7 @@ double rate_on_part(const Body& body, int part, const std::vector<double>& of_no
     masses.bottomRightCorner<3, 3>() = mass.inertia_kg_m2;
     for (std::size_t n = 0; n < nodes_m.size(); ++n) {
         if (part_of_node[n] != part) continue;
-        const Vector3d arm = to_eigen(nodes_m[n] - mass.centre_m);
+        const Vector3d arm = as_eigen(nodes_m[n] - mass.centre_m);
         Eigen::Matrix<double, 3, 6> motion;  // velocity of the node: v + w x arm
         motion << Matrix3d::Identity(), Matrix3d::Zero();
         motion.rightCols<3>() << 0, arm[2], -arm[1], -arm[2], 0, arm[0], arm[1], -arm[0],
