@@ -75,7 +75,8 @@ void check_holds(const Body& body, const Marks& marks) {
             "any other vector such as [0, 1, 0]");
 }
 
-void check_start(const Body& body, const Marks& marks) {
+// The grid's fluid inside a body starts at rest: it would take a share of the motion.
+void check_start(const Body& body, bool in_fluid, const Marks& marks) {
     const Placement& initial = body.initial;
     const auto key = [&](const char* name) -> const Origin& {
         return marks.key({"bodies", body.name, "initial", name});
@@ -85,6 +86,14 @@ void check_start(const Body& body, const Marks& marks) {
     require(body.is_all_rigid() || !initial.angular_velocity_rad_s,
             key("angular_velocity"), "an angular velocity of a body that is not rigid",
             "it with rigid: true");
+    require(!in_fluid || !initial.velocity_m_s, key("velocity"),
+            "a velocity at the start in a fluid, which is at rest then, inside the body, "
+            "too",
+            "it in scenes without a fluid", "let a force move the body");
+    require(!in_fluid || !initial.angular_velocity_rad_s, key("angular_velocity"),
+            "an angular velocity at the start in a fluid, which is at rest then, inside "
+            "the body, too",
+            "it in scenes without a fluid", "let a torque turn the body");
     require(!body.hold || !initial.velocity_m_s, key("velocity"),
             "a velocity of a body that is held", "it for free bodies",
             "give its angular_velocity");
@@ -119,7 +128,7 @@ void check_rigid_parts(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         check_names(body, marks);
         check_holds(body, marks);
-        check_start(body, marks);
+        check_start(body, scene.fluid.has_value(), marks);
         require(body.rigid.empty() || !scene.time.equilibrium,
                 marks.key({"bodies", body.name, "rigid"}),
                 "a rigid part on a path of equilibria", "it in runs over time",

@@ -267,6 +267,18 @@ void add_rigid_parts(structure::Body& out, const scene::Body& body) {
     (void)structure::rigid_part_of_nodes(out);  // refuses parts that touch
 }
 
+// Runs what may refuse the rigid parts, and says where the scene names them.
+template <class Check>
+void at_rigid_key(const scene::Body& body, const Check& check) {
+    try {
+        check();
+    } catch (const std::invalid_argument& fault) {
+        throw scene::SceneError(fmt::format("{}{}body '{}': {}", body.rigid_place,
+                                            body.rigid_place.empty() ? "" : ": ",
+                                            body.name, fault.what()));
+    }
+}
+
 }  // namespace
 
 structure::Body to_body(const scene::Body& body) {
@@ -284,19 +296,17 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
         throw scene::SceneError(
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
     }
-    try {
-        add_rigid_parts(out, body);
-    } catch (const std::invalid_argument& fault) {
-        throw scene::SceneError(fmt::format("{}{}body '{}': {}", body.rigid_place,
-                                            body.rigid_place.empty() ? "" : ": ",
-                                            body.name, fault.what()));
-    }
+    at_rigid_key(body, [&] { add_rigid_parts(out, body); });
     out.element = body.element;
     out.inertia = body.inertia;
     out.clamps = body.clamps;
     out.rollers = body.rollers;
     for (const structure::PrescribedMotion& motion : body.prescribed_motion)
         out.clamps.insert(out.clamps.end(), motion.faces.begin(), motion.faces.end());
+    if (!out.rigid_parts.empty()) {
+        const auto held = structure::held_axes(out);
+        at_rigid_key(body, [&] { structure::refuse_held_rigid_parts(out, held); });
+    }
     try {
         if (body.magnetization)
             out.magnetization_a_m = magnetize(*body.magnetization, out.mesh);
