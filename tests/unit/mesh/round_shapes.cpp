@@ -37,7 +37,9 @@ void expect_sound(const Mesh& mesh, double volume, bool faces_cover = true) {
     for (const auto& [name, nodes] : mesh.faces)
         of_faces.insert(nodes.begin(), nodes.end());
     EXPECT_EQ(mesh.faces.size(), 6U);
-    if (faces_cover) EXPECT_EQ(of_faces, outside);
+    if (faces_cover) {
+        EXPECT_EQ(of_faces, outside);
+    }
 }
 
 // Smallest stable step of the elements over that of a cube of the mean volume: badly

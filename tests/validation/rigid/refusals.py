@@ -39,6 +39,19 @@ class Refusals(unittest.TestCase):
         self.refused({"bodies.beam.clamps": "[x_max]", "bodies.beam.rigid": "magnet"},
                      "a rigid part with a node that a clamp")
 
+    def test_a_clamp_is_told_by_line_and_column(self):
+        """The scene's own key rather than --set: the words begin with FILE:LINE:COLUMN."""
+        scene = Path(testing.new_folder()) / "beam.yaml"
+        for held in ("clamps: [x_max]", "rollers: [{face: x_max, axis: y}]",
+                     "prescribed_motion: [{face: x_max, oscillation: {amplitude: "
+                     "[1 mm, 0 m, 0 m], frequency: 10 Hz}}]"):
+            text = BEAM.read_text().replace("clamps: [x_min]", f"{held}\n    rigid: magnet")
+            scene.write_text(text)
+            line = text.splitlines().index("    rigid: magnet") + 1
+            result = testing.run(scene, {})
+            testing.check_refused(self, result, f"beam.yaml:{line}:12: body 'beam': a rigid part "
+                                                "with a node that a clamp, a roller or a")
+
 
 if __name__ == "__main__":
     unittest.main()
