@@ -28,7 +28,7 @@ struct LatticeFile {
     std::vector<Hexahedron> elements;
     std::vector<Vec3> magnetization_a_m;  // one vector per element
     std::vector<int> element_material;    // one number per element; empty: all 0
-    std::vector<int> element_rigid;       // one number per element; empty: all -1
+    std::vector<int> element_rigid{};     // one number per element; empty: all -1
 };
 
 // Write and read a lattice file. Numbers have 17 digits and are exact when read back.

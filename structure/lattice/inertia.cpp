@@ -29,14 +29,16 @@ std::array<int, 4> side(const Hexahedron& element, int d, int upper) {
     return out;
 }
 
-// A face that only one element has is on the surface. Nothing moves in rigid elements,
-// whose part has the inertia of its solid without it (rigid_mass.h).
+// A face that only one soft element has is on the surface: at a rigid part, too, whose
+// solid is integrated by itself (rigid_mass.h), the sum over the nodes of the soft body
+// ends and has the error of an end. Nothing moves in rigid elements.
 Inwards inwards(const Body& body) {
     const Mesh& mesh = body.mesh;
     std::map<std::array<int, 4>, int> elements_at;
-    for (const Hexahedron& element : mesh.elements) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        if (!is_soft(body, e)) continue;
         for (int d = 0; d < 3; ++d) {
-            for (int upper : {0, 1}) ++elements_at[side(element, d, upper)];
+            for (int upper : {0, 1}) ++elements_at[side(mesh.elements[e], d, upper)];
         }
     }
     Inwards out;
