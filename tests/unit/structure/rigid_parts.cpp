@@ -75,8 +75,9 @@ TEST(RigidMass, OfASkewedElementIsExact) {
               1e-12 * one.inertia_kg_m2.norm());
 }
 
-// 2/5 m r^2 within the error of the mesh, whose volume is that of the ball. Its surface is
-// off by d ~ h^2, and the mean of d is 0, so that the error of the inertia is that of d^2.
+// 2/5 m r^2 within the error of the mesh, whose volume is that of the ball. Its surface
+// is off by d ~ h^2, and the mean of d is 0, so that the error of the inertia is that of
+// d^2.
 TEST(RigidMass, OfABallIsThatOfTheBallToFourthOrder) {
     const auto error = [](int n) {
         const Body body = rigid(ball_mesh({2e-3, {2 * n, n}}));
