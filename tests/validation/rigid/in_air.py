@@ -5,6 +5,8 @@ import math
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 from magfsi import testing
 
 HERE = Path(__file__).resolve().parent
@@ -123,45 +125,58 @@ class Compass(unittest.TestCase):
             self.assertAlmostEqual(found / theory, 1, delta=1e-5)
 
 
+def frequency(times, values):
+    """Of the strongest swing [Hz]: the peak of the spectrum under Hann's window."""
+    t, x = np.array(times), np.array(values)
+    x = (x - x.mean()) * np.hanning(len(x))
+
+    def strength(f):
+        return abs(np.sum(x * np.exp(-2j * np.pi * f * t)))
+    best, wide = max(np.arange(20.0, 200, 1), key=strength), 1.0
+    while wide > 1e-5:
+        wide /= 10
+        best = max(best + wide * np.arange(-10, 11), key=strength)
+    return best
+
+
 class BeamWithAMagnet(unittest.TestCase):
     """Against the same with a tip of a thousand times the stiffness: shape, time, and cost."""
 
-    @classmethod
-    def setUpClass(cls):
-        stiff = {"bodies.beam.material_regions":
-                     "[{region: magnet, shear_modulus: 300 MPa, lame_lambda: 1.2 GPa, "
-                     "density: 1200 kg/m3}]"}
-        cls.rigid = testing.good_run(BEAM, {"bodies.beam.rigid": "magnet"})
-        cls.stiff = testing.good_run(BEAM, stiff)
+    STIFF = {"bodies.beam.material_regions":
+                 "[{region: magnet, shear_modulus: 300 MPa, lame_lambda: 1.2 GPa, "
+                 "density: 1200 kg/m3}]"}
+    RIGID = {"bodies.beam.rigid": "magnet"}
 
-    def test_bends_and_swings_as_with_a_stiff_tip(self):
-        rigid, stiff = self.rigid.probes(), self.stiff.probes()
+    def both(self, settings):
+        return [testing.good_run(BEAM, {**tip, **settings}) for tip in (self.RIGID, self.STIFF)]
+
+    def test_bends_as_with_a_stiff_tip(self):
+        """All the way to rest."""
+        rigid, stiff = (run.probes() for run in self.both(
+            {"damping": "{rate: 300 1/s}", "time.end": "100 ms"}))
         for point in ("tip_uz[m]", "tip_ux[m]", "half_uz[m]"):
             largest = max(map(abs, stiff[point]))
             off = max(abs(a - b) for a, b in zip(rigid[point], stiff[point])) / largest
-            testing.report(f"{point}: up to {1e3 * largest:.3f} mm, off by {100 * off:.3f} %")
+            testing.report(f"{point}: up to {1e3 * largest:.3f} mm, off by {100 * off:.3f} % at most, "
+                           f"by {100 * (rigid[point][-1] / stiff[point][-1] - 1):.4f} % in the end")
             self.assertLess(off, 1e-3)
-        means = []
-        for probes in (rigid, stiff):
-            middle = 0.5 * max(probes["tip_uz[m]"])
-            crossings = zero_crossings(probes["t[s]"], [z - middle for z in probes["tip_uz[m]"]])
-            means.append((crossings[-1] - crossings[0]) / (len(crossings) - 1))
-        testing.report(f"mean time between crossings: {1e3 * means[0]:.4f} ms, "
-                       f"off by {100 * (means[0] / means[1] - 1):.3f} %")
-        self.assertAlmostEqual(means[0] / means[1], 1, delta=1e-3)
+
+    def test_swings_as_with_a_stiff_tip(self):
+        rigid, stiff = (frequency(p["t[s]"], p["tip_uz[m]"]) for p in (run.probes() for run in self.both(
+            {"magnetic_field.vector": "[0 T, 0 T, 0.02 mT]", "time.end": "150 ms"})))
+        testing.report(f"swings at {rigid:.4f} Hz, off by {100 * (rigid / stiff - 1):.4f} %")
+        self.assertAlmostEqual(rigid / stiff, 1, delta=1e-3)
 
     def test_takes_a_tenth_of_the_time(self):
-        steps, seconds = [], []
-        for run in (self.rigid, self.stiff):
-            summary = run.summary()
-            steps.append(summary["structure"]["substeps"])
-            seconds.append(summary["wall_s"])
-        testing.report(f"steps {steps[0]} against {steps[1]}, {seconds[0]:.2f} s against "
-                       f"{seconds[1]:.2f} s")
-        self.assertGreater(steps[1], 10 * steps[0])
+        rigid, stiff = (run.summary() for run in self.both({}))
+        testing.report(f"steps {rigid['substeps']} against {stiff['substeps']}, "
+                       f"{rigid['wall_s']:.2f} s against {stiff['wall_s']:.2f} s")
+        self.assertGreater(stiff["substeps"], 10 * rigid["substeps"])
+        # On a busy machine times are not as sure as steps.
+        self.assertGreater(stiff["wall_s"], 5 * rigid["wall_s"])
 
     def test_its_energy_balance_closes(self):
-        probes = self.rigid.probes()
+        probes = testing.good_run(BEAM, self.RIGID).probes()
         work = max(map(abs, probes["audit.work_field[J]"]))
         residual = max(map(abs, probes["audit.residual[J]"]))
         testing.report(f"residual {residual / work:.2g} of the field's work")
