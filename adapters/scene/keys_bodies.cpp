@@ -157,11 +157,11 @@ void keys(Io& io, Placement& initial) {
     io(key("relaxed",
            "Constant field in whose shape at rest the body starts, without fluid and "
            "gravity, before the rotation."), initial.relaxed);
-    io(quantity("velocity", "m/s", "Velocity of a rigid body's centre of mass."),
+    io(quantity("velocity", "m/s", "Velocity of a rigid body's centre of mass, without a fluid."),
        initial.velocity_m_s);
     io(quantity("angular_velocity", "rad/s",
-           "Angular velocity of a rigid body, along axes of space. One that is held takes "
-           "of it what its hold allows."), initial.angular_velocity_rad_s);
+           "Angular velocity of a rigid body, along axes of space, without a fluid. One that "
+           "is held takes of it what its hold allows."), initial.angular_velocity_rad_s);
 }
 
 // Keys of `hinge`.
