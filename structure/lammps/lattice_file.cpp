@@ -44,7 +44,7 @@ LatticeFile read_lattice_file(const std::filesystem::path& file) {
     for (std::size_t e = 0; e < out.elements.size(); ++e) {
         const char* expected =
             "eight node numbers and the magnetisation of an element, and perhaps the "
-            "numbers of its material and of its rigid part";
+            "number of its material, and then of its rigid part";
         std::istringstream fields = lines.next(expected);
         for (int& node : out.elements[e]) fields >> node;
         Vec3& m = out.magnetization_a_m[e];
