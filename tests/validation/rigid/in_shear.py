@@ -49,7 +49,7 @@ class Jeffery(unittest.TestCase):
             "bodies.ball.initial": f"{{position: [4 mm, 3 mm, 4 mm], rotation: {{plane: zx, "
                                    f"angle: {along - 35} deg}}}}",
             "fluid.box": "[8 mm, 6 mm, 8 mm]", "fluid.spacing": "0.166666666667 mm",
-            "fluid.refinement": "{levels: 1}", "coupling.immersed_boundary.forcing": "penalty",
+            "fluid.refinement": "{levels: 1}",
             "fluid.viscosity": "10 mm2/s", "fluid.expected_speed": wall,
             "fluid.lattice_speed": 0.017, "time.end": f"{3.6 + 1.1 * half:.4g} s",
             "probes.every": "50 ms",
