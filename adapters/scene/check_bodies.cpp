@@ -21,6 +21,31 @@ namespace {
 // which are counted when they are built.
 double elements_of(const Body& body) {
     double elements = 1;
+    // A section has the square of those across its core, and layers on its four sides.
+    const auto of_section = [](double across, double layers) {
+        return across * (across + 4 * layers);
+    };
+    if (const auto* ball = std::get_if<BallMesh>(&body.mesh)) {
+        const auto [across, layers] = ball->elements;
+        return 1.0 * across * across * (across + 6.0 * layers);
+    }
+    if (const auto* cylinder = std::get_if<CylinderMesh>(&body.mesh)) {
+        const auto [across, layers, along] = cylinder->elements;
+        return of_section(across, layers) * along;
+    }
+    if (const auto* capsule = std::get_if<CapsuleMesh>(&body.mesh)) {
+        const auto [across, layers, along] = capsule->elements;
+        return of_section(across, layers) * (along + across) +
+               2.0 * across * across * layers;
+    }
+    if (const auto* cone = std::get_if<ConeMesh>(&body.mesh)) {
+        const auto [across, layers, along] = cone->elements;
+        return of_section(across, layers) * along;
+    }
+    if (const auto* wire = std::get_if<WireMesh>(&body.mesh)) {
+        const auto [across, layers, along] = wire->elements;
+        return of_section(across, layers) * along;
+    }
     if (const auto* box = std::get_if<Box>(&body.mesh)) {
         for (const int n : box->elements) elements *= n;
     } else if (const auto* plate = std::get_if<ObliquePlate>(&body.mesh)) {

@@ -100,7 +100,13 @@ struct Body {
     std::vector<std::string> clamps;
     std::vector<Roller> rollers;
     std::vector<PrescribedMotion> prescribed_motion;
+    // What does not deform: names of regions, or the one word "true" for the whole body.
+    std::vector<std::string> rigid;
+    std::string rigid_place;        // as mesh_place
+    std::optional<RigidHold> hold;  // of its one rigid part
     Placement initial;
+
+    bool is_all_rigid() const { return rigid == std::vector<std::string>{"true"}; }
 };
 
 // --- loads --------------------------------------------------------------------------
@@ -210,12 +216,14 @@ enum class BodyQuantity {
     fluid_torque,
     reaction_force,
     energy,
-    magnetic_load
+    magnetic_load,
+    contact_load,
+    rigid_motion
 };
 constexpr auto words_of(BodyQuantity) {
-    return std::to_array<std::string_view>({"com", "speed", "shape", "max_displacement",
-                                            "fluid_force", "fluid_torque",
-                                            "reaction_force", "energy", "magnetic_load"});
+    return std::to_array<std::string_view>(
+        {"com", "speed", "shape", "max_displacement", "fluid_force", "fluid_torque",
+         "reaction_force", "energy", "magnetic_load", "contact_load", "rigid_motion"});
 }
 // Quantities of the whole fluid that probes.csv can have as columns.
 enum class FluidQuantity {

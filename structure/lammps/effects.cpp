@@ -49,12 +49,14 @@ void refuse_absent(const LammpsInput& input) {
     need(input.drag.has_value(), "drag");
     need(input.platform.has_value(), "platform");
     need(!input.walls.empty(), "walls");
+    need(input.contact_load, "contact_load");
     need(!input.motions.empty(), "prescribed_motion");
     for (const Body& body : input.bodies) {
         need(is_viscous(body), "viscosity");
         need(std::ranges::count(held_axes(body), HeldAxes{true, true, true}) > 0,
              "clamps");
         need(!body.rollers.empty(), "rollers");
+        need(!body.rigid_parts.empty(), "rigid_parts");
     }
 }
 
@@ -93,7 +95,7 @@ void check_effects(const LammpsInput& input) {
 
 std::string integrated_group(const LammpsInput& input) {
     for (const Effect* effect : asked_effects(input)) {
-        if (effect->integrated_group) return effect->integrated_group;
+        if (effect->group_left_out) return "moving";
     }
     return "all";
 }

@@ -129,7 +129,7 @@ void FixMagttice::read_body(const std::string& file,
         read.element_material.assign(read.elements.size(), 0);
     }
     lattice_ = build_lattice(read.nodes_m, read.elements, materials_,
-                             read.element_material, variant_);
+                             read.element_material, variant_, read.element_rigid);
     nodes_m_ = read.nodes_m;
     range_.count = static_cast<int>(read.nodes_m.size());
     by_first_.resize(read.nodes_m.size());
@@ -216,7 +216,8 @@ void FixMagttice::rebuild() {
              "({:g} m at rest)",
              who_, owned.missing_id, update->ntimestep, lattice_.longest_diagonal_m);
     }
-    kernel_.assign(lattice_, owned.element, owned.atom);
+    const OwnedElements soft = soft_ones(owned, lattice_);
+    kernel_.assign(lattice_, soft.element, soft.atom);
     for (const auto& added : forces_) added->rebuild(owned);
 }
 
@@ -362,6 +363,17 @@ double FixMagttice::memory_usage() {
     // Both the lattice and the packed batches hold about 50 numbers per element.
     return static_cast<double>(lattice_.elements.size() + kernel_.size()) * 50 *
            sizeof(double);
+}
+
+OwnedElements soft_ones(const OwnedElements& owned, const Lattice& lattice) {
+    if (lattice.element_rigid.empty()) return owned;
+    OwnedElements soft;
+    for (std::size_t i = 0; i < owned.element.size(); ++i) {
+        if (lattice.element_rigid[owned.element[i]] >= 0) continue;
+        soft.element.push_back(owned.element[i]);
+        soft.atom.push_back(owned.atom[i]);
+    }
+    return soft;
 }
 
 std::vector<const FixMagttice*> bodies_of(const LAMMPS_NS::Modify& modify) {
