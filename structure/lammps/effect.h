@@ -168,6 +168,9 @@ std::string integrated_group(const LammpsInput& input);
 
 // --- for the LAMMPS styles of effects
 
+// Fails if another fix integrates an atom of this one's group, which would move twice.
+void refuse_integrated_twice(LAMMPS_NS::LAMMPS& lammps, const LAMMPS_NS::Fix& self);
+
 // Ends a run that cannot go on. The cause goes to the handler of set_failure_handler
 // (register_styles.h), or to LAMMPS's error->one if there is none. One rank may call it
 // alone.

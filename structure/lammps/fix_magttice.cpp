@@ -365,17 +365,6 @@ double FixMagttice::memory_usage() {
            sizeof(double);
 }
 
-OwnedElements soft_ones(const OwnedElements& owned, const Lattice& lattice) {
-    if (lattice.element_rigid.empty()) return owned;
-    OwnedElements soft;
-    for (std::size_t i = 0; i < owned.element.size(); ++i) {
-        if (lattice.element_rigid[owned.element[i]] >= 0) continue;
-        soft.element.push_back(owned.element[i]);
-        soft.atom.push_back(owned.atom[i]);
-    }
-    return soft;
-}
-
 std::vector<const FixMagttice*> bodies_of(const LAMMPS_NS::Modify& modify) {
     std::vector<const FixMagttice*> out;
     for (int i = 0; i < modify.nfix; ++i) {

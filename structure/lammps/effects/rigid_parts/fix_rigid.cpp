@@ -68,24 +68,8 @@ void FixMagtticeRigid::init() {
                  "are boundary f and s",
                  id, "xyz"[d]);
     }
-    refuse_integrated();
+    refuse_integrated_twice(*lmp, *this);
     reset_dt();
-}
-
-// Fails if another fix integrates an atom of a part, which would move twice.
-void FixMagtticeRigid::refuse_integrated() const {
-    for (int f = 0; f < modify->nfix; ++f) {
-        const LAMMPS_NS::Fix& other = *modify->fix[f];
-        if (other.time_integrate == 0 || &other == this) continue;
-        for (int i = 0; i < atom->nlocal; ++i) {
-            const int mask = atom->mask[i];
-            if ((mask & groupbit) != 0 && (mask & other.groupbit) != 0)
-                fail(*error,
-                     "fix {} magttice/rigid and fix {} {} both move atom {}; leave the "
-                     "atoms of the first out of the other's group",
-                     id, other.id, other.style, atom->tag[i]);
-        }
-    }
 }
 
 // The rows of all nodes are place and mass; each has one owner.
@@ -215,8 +199,8 @@ double FixMagtticeRigid::compute_array(int row, int column) {
     return values.at(column);
 }
 
-// Where the nodes started belongs to the state: after LAMMPS's own restart the atoms are
-// elsewhere.
+// The places where the nodes started belong to the state: after LAMMPS's own restart the
+// atoms are elsewhere.
 void FixMagtticeRigid::write_restart(FILE* file) {
     if (comm->me != 0) return;
     std::vector<double> all = states();

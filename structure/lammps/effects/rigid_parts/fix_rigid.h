@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rigid parts of bodies: fix ID group magttice/rigid [drag RATE] part ... moves the nodes
-// of each part as one rigid body. See docs/fix_magttice.md.
+// This fix moves the nodes of each rigid part of bodies as one rigid body. Its words are
+// in docs/fix_magttice.md.
 //
-// LAMMPS's own fix rigid/nve has the same integrator but keeps its state to itself: a
+// LAMMPS's own fix rigid/nve has the same integrator but keeps its state to itself. A
 // checkpoint, a repeated step of the implicit coupling and the probes need orientation
-// and angular momentum, which it neither gives nor takes back. Its inertia from a file is
-// rotated into principal axes with a tolerance, and it has no axis and no point that
-// holds a body elsewhere than at its centre of mass.
+// and angular momentum: that fix neither gives nor takes them. It turns an inertia from a
+// file into principal axes with a tolerance, and it has no axis and no point that holds a
+// body elsewhere than at its centre of mass.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,9 +38,9 @@ class FixMagtticeRigid : public LAMMPS_NS::Fix, public MovesRigidParts {
     void final_integrate() override;
 
     double compute_scalar() override;  // kinetic energy of all parts [J]
-    // Row: a part. Columns: centre of mass, unit quaternion (w, x, y, z) of the turn
-    // since the start, velocity, angular velocity, angular momentum about the centre or
-    // the point that is held.
+    // A row is a part. Its columns: centre of mass; unit quaternion (w, x, y, z) of the
+    // turn from the start on; velocity; angular velocity; angular momentum about the
+    // centre or the point that is held.
     double compute_array(int row, int column) override;
     void write_restart(FILE* file) override;
     void restart(char* buffer) override;
@@ -70,7 +70,6 @@ class FixMagtticeRigid : public LAMMPS_NS::Fix, public MovesRigidParts {
     // Finds where the nodes start, and what their masses lack in inertia. Collective.
     void find_start();
     void rebuild();
-    void refuse_integrated() const;
     // Sums the forces on the nodes of each part. Collective.
     void sum_loads();
     void set_velocities();
