@@ -64,6 +64,8 @@ class FixContactLoad : public LAMMPS_NS::Fix {
 
   private:
     void note(std::vector<double>& forces) const {
+        forces.clear();
+        if (atom->nlocal == 0) return;  // there may be no array of forces yet
         forces.assign(atom->f[0],
                       atom->f[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
     }
