@@ -12,6 +12,7 @@ function add(parent, tag, text, kind) {
 const share = v => v === 0 ? "0" : Math.abs(v) < 1e-4 ? v.toExponential(1) : `${round3(100 * v)} %`;
 const seconds = v => quantity(v, "s");
 
+const LEAST_SHARE = 0.2; // of the view's width: a robot whose course is so long is followed from the start
 const SHORTEST = 1e-9; // s, of a run that shows one instant only
 let allRuns = [], shownRun, axis, several = false, drawn = [], end = 1, now = 0, playing = false, last = 0;
 const view = new View(element("view"));
@@ -234,6 +235,7 @@ function show(runs) {
   drawn.forEach(panel => panel.differ(element("differ").checked && several));
   // A run that goes on is followed; one that has ended begins where it shows most.
   const first = new URLSearchParams(location.hash.slice(1)).has("t") ? Number(asked("t")) : held.live ? end : shownRun.bodies?.begin ?? end;
+  if (fresh && view.share() < LEAST_SHARE) aim("follow");
   go(fresh ? first : atEnd && !playing ? end : now);
 }
 

@@ -48,6 +48,14 @@ class View {
     return [0, 1].map(end => [0, 1, 2].map(d => Math[end ? "max" : "min"](...parts.map(p => p[end][d]))));
   }
 
+  // How much of the view's width the first robot's length is, framed on its course.
+  share() {
+    if (!this.run.bodies || !this.canvas.clientWidth) return 1;
+    this.width = this.canvas.clientWidth; this.height = this.canvas.clientHeight;
+    this.look();
+    return this.scale * this.run.bodies.size / this.width;
+  }
+
   zoomAt(x, y, factor) { // what is at this place of the view stays there
     const p = [x - this.width / 2, y - this.height / 2];
     this.pan = this.pan.map((v, d) => p[d] - (p[d] - v) * factor);
