@@ -8,10 +8,15 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <numeric>
+#include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "structure/mesh/mesh_check.h"
 #include "structure/mesh/mesh_file.h"
@@ -97,6 +102,63 @@ void check_tags(const std::filesystem::path& file) {
                     "allowed; renumber them in Gmsh (Mesh.Renumber)",
                     number, most));
         }
+    }
+}
+
+// Throws on a line of an element in a text file of version 2.2 that does not have the
+// numbers of its kind. The library takes what is missing from the next line, reads kinds
+// and lengths from wrong places then, and can crash. To be called within a session.
+void check_element(std::span<const long long> numbers, std::map<long long, int>& nodes_of,
+                   int line) {
+    const auto refuse_line = [&](const std::string& why) {
+        throw std::runtime_error(
+            fmt::format("line {}: {}; the file is damaged, save it again", line, why));
+    };
+    if (numbers.size() < 3)
+        refuse_line(
+            fmt::format("{} numbers found, an element has its number, its kind, "
+                        "the number of its tags, tags and nodes",
+                        numbers.size()));
+    const long long kind = numbers[1], tags = numbers[2];
+    if (!nodes_of.contains(kind)) {
+        std::string name;
+        int dimension = 0, order = 0, corners = 0;
+        std::vector<double> local;
+        if (kind < 1 || kind > 140)
+            refuse_line(
+                fmt::format("an element of kind {} found, 1 to 140 are known", kind));
+        gmsh::model::mesh::getElementProperties(static_cast<int>(kind), name, dimension,
+                                                order, nodes_of[kind], local, corners);
+    }
+    const long long found = static_cast<long long>(numbers.size()) - 3;
+    if (tags < 0 || found != tags + nodes_of[kind])
+        refuse_line(
+            fmt::format("{} tags and nodes found, {} tags and {} nodes belong to "
+                        "this element of kind {}",
+                        found, tags, nodes_of[kind], kind));
+    // The third tag is a number of partitions, which are the tags after it.
+    if (tags > 2 && numbers[5] != tags - 3)
+        refuse_line(fmt::format("{} partitions announced in {} tags", numbers[5], tags));
+}
+
+void check_elements(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string section, version, kind, line;
+    stream >> section >> version >> kind;
+    if (version != "2.2" || kind != "0") return;
+    stream.seekg(0);
+    std::map<long long, int> nodes_of;
+    bool elements = false, count_is_next = false;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        if (line.starts_with('$')) {
+            elements = count_is_next = line.starts_with("$Elements");
+            continue;
+        }
+        if (!elements) continue;
+        std::istringstream words(line);
+        const std::vector<long long> numbers{std::istream_iterator<long long>(words), {}};
+        if (!std::exchange(count_is_next, false) && !numbers.empty())
+            check_element(numbers, nodes_of, number);
     }
 }
 
@@ -225,6 +287,7 @@ GmshMesh read(const std::filesystem::path& file, double metres_per_unit) {
     check_header(file);
     check_tags(file);
     const GmshSession session;
+    check_elements(file);
     gmsh::open(file.string());
     refuse_other_elements();
     GmshMesh out;
