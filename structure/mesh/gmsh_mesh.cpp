@@ -11,6 +11,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -141,24 +142,45 @@ void check_element(std::span<const long long> numbers, std::map<long long, int>&
         refuse_line(fmt::format("{} partitions announced in {} tags", numbers[5], tags));
 }
 
-void check_elements(const std::filesystem::path& file) {
+// Throws where a text file of version 2.2 has nodes or elements twice, or in another
+// number than it announces: the library reads on, and can crash.
+void check_sections(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string section, version, kind, line;
     stream >> section >> version >> kind;
     if (version != "2.2" || kind != "0") return;
     stream.seekg(0);
     std::map<long long, int> nodes_of;
-    bool elements = false, count_is_next = false;
+    std::set<std::string> seen;
+    bool announced = false;  // true once the section has said how many rows it has
+    long long rest = 0;      // rows to come
+    section.clear();
     for (int number = 1; std::getline(stream, line); ++number) {
+        const auto refuse_line = [&](const char* what) {
+            throw std::runtime_error(
+                fmt::format("line {}: {} in {}; the file is damaged, save it again",
+                            number, what, section));
+        };
         if (line.starts_with('$')) {
-            elements = count_is_next = line.starts_with("$Elements");
+            if (rest > 0) refuse_line("too few rows");
+            section = line.substr(0, line.find_first_of(" \t\r"));
+            if (section != "$Nodes" && section != "$Elements") section.clear();
+            if (!section.empty() && !seen.insert(section).second)
+                refuse_line("a second section");
+            announced = false;
+            rest = 0;
             continue;
         }
-        if (!elements) continue;
+        if (section.empty()) continue;
         std::istringstream words(line);
         const std::vector<long long> numbers{std::istream_iterator<long long>(words), {}};
-        if (!std::exchange(count_is_next, false) && !numbers.empty())
-            check_element(numbers, nodes_of, number);
+        if (numbers.empty()) continue;
+        if (!std::exchange(announced, true)) {
+            rest = numbers.front();
+            continue;
+        }
+        if (rest-- <= 0) refuse_line("too many rows");
+        if (section == "$Elements") check_element(numbers, nodes_of, number);
     }
 }
 
@@ -287,7 +309,7 @@ GmshMesh read(const std::filesystem::path& file, double metres_per_unit) {
     check_header(file);
     check_tags(file);
     const GmshSession session;
-    check_elements(file);
+    check_sections(file);
     gmsh::open(file.string());
     refuse_other_elements();
     GmshMesh out;

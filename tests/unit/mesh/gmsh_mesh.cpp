@@ -282,6 +282,23 @@ TEST(GmshRefusals, NumbersAbove31Bits) {
     }
 }
 
+// The fuzzer's, too.
+TEST(GmshRefusals, SectionsThatDoNotHoldWhatTheyAnnounce) {
+    const auto with = [](const std::string& what, const std::string& instead) {
+        std::string text = one_cube("1 2 3 4 5 6 7 8");
+        text.replace(text.find(what), what.size(), instead);
+        return refusal(text_file("sections.msh", text));
+    };
+    test::expect_says(with("$Nodes\n8", "$Nodes\n9"),
+                      {"line 14: too few rows in $Nodes"});
+    test::expect_says(with("$Nodes\n8", "$Nodes\n7"),
+                      {"line 13: too many rows in $Nodes"});
+    test::expect_says(with("$Elements\n1", "$Elements\n2"),
+                      {"too few rows in $Elements"});
+    test::expect_says(with("$EndNodes", "$Nodes"),
+                      {"line 14: a second section in $Nodes"});
+}
+
 // The fuzzer's: an element with a node too few took it from the next line, and the
 // library crashed a line later.
 TEST(GmshRefusals, LinesWithOtherNumbersThanTheirElementHas) {
