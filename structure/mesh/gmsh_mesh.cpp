@@ -163,8 +163,10 @@ void check_sections(const std::filesystem::path& file) {
         };
         if (line.starts_with('$')) {
             if (rest > 0) refuse_line("too few rows");
-            section = line.substr(0, line.find_first_of(" \t\r"));
-            if (section != "$Nodes" && section != "$Elements") section.clear();
+            // The library, too, looks at the beginning of the line alone.
+            section = line.starts_with("$Nodes")      ? "$Nodes"
+                      : line.starts_with("$Elements") ? "$Elements"
+                                                      : "";
             if (!section.empty() && !seen.insert(section).second)
                 refuse_line("a second section");
             announced = false;

@@ -295,6 +295,8 @@ TEST(GmshRefusals, SectionsThatDoNotHoldWhatTheyAnnounce) {
                       {"line 13: too many rows in $Nodes"});
     test::expect_says(with("$Elements\n1", "$Elements\n2"),
                       {"too few rows in $Elements"});
+    test::expect_says(with("$Elements\n1", "$Elements~\n2"),
+                      {"too few rows in $Elements"});
     test::expect_says(with("$EndNodes", "$Nodes"),
                       {"line 14: a second section in $Nodes"});
 }
