@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "structure/mesh/mesh_check.h"
@@ -142,8 +143,9 @@ void check_element(std::span<const long long> numbers, std::map<long long, int>&
         refuse_line(fmt::format("{} partitions announced in {} tags", numbers[5], tags));
 }
 
-// Throws where a text file of version 2.2 has nodes or elements twice, or in another
-// number than it announces: the library reads on, and can crash.
+// Throws where a text file of version 2.2 has nodes or elements twice, in another number
+// than it announces, or elements of nodes that it does not have: the library reads on,
+// and can crash.
 void check_sections(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string section, version, kind, line;
@@ -152,11 +154,12 @@ void check_sections(const std::filesystem::path& file) {
     stream.seekg(0);
     std::map<long long, int> nodes_of;
     std::set<std::string> seen;
+    std::unordered_set<long long> nodes;
     bool announced = false;  // true once the section has said how many rows it has
     long long rest = 0;      // rows to come
     section.clear();
     for (int number = 1; std::getline(stream, line); ++number) {
-        const auto refuse_line = [&](const char* what) {
+        const auto refuse_line = [&](const std::string& what) {
             throw std::runtime_error(
                 fmt::format("line {}: {} in {}; the file is damaged, save it again",
                             number, what, section));
@@ -182,7 +185,14 @@ void check_sections(const std::filesystem::path& file) {
             continue;
         }
         if (rest-- <= 0) refuse_line("too many rows");
-        if (section == "$Elements") check_element(numbers, nodes_of, number);
+        if (section == "$Nodes") {
+            nodes.insert(numbers.front());
+            continue;
+        }
+        check_element(numbers, nodes_of, number);
+        for (const long long node : std::span(numbers).subspan(3 + numbers[2]))
+            if (!nodes.contains(node))
+                refuse_line(fmt::format("node {}, which is not in $Nodes,", node));
     }
 }
 

@@ -297,6 +297,8 @@ TEST(GmshRefusals, SectionsThatDoNotHoldWhatTheyAnnounce) {
                       {"too few rows in $Elements"});
     test::expect_says(with("$Elements\n1", "$Elements~\n2"),
                       {"too few rows in $Elements"});
+    test::expect_says(with("7 8\n$EndE", "7 9\n$EndE"),
+                      {"line 17: node 9, which is not"});
     test::expect_says(with("$EndNodes", "$Nodes"),
                       {"line 14: a second section in $Nodes"});
 }
