@@ -107,40 +107,43 @@ void check_tags(const std::filesystem::path& file) {
     }
 }
 
+[[noreturn]] void refuse_damaged(int line, const std::string& why) {
+    throw std::runtime_error(
+        fmt::format("line {}: {}; the file is damaged, save it again", line, why));
+}
+
 // Throws on a line of an element in a text file of version 2.2 that does not have the
-// numbers of its kind. The library takes what is missing from the next line, reads kinds
-// and lengths from wrong places then, and can crash. To be called within a session.
+// numbers of its kind: the library would take what is missing from the next line, read
+// kinds and lengths from wrong places, and can crash. A session must be open.
 void check_element(std::span<const long long> numbers, std::map<long long, int>& nodes_of,
                    int line) {
-    const auto refuse_line = [&](const std::string& why) {
-        throw std::runtime_error(
-            fmt::format("line {}: {}; the file is damaged, save it again", line, why));
-    };
     if (numbers.size() < 3)
-        refuse_line(
-            fmt::format("{} numbers found, an element has its number, its kind, "
-                        "the number of its tags, tags and nodes",
-                        numbers.size()));
+        refuse_damaged(
+            line, fmt::format("{} numbers found, an element has its number, its kind, "
+                              "the number of its tags, tags and nodes",
+                              numbers.size()));
     const long long kind = numbers[1], tags = numbers[2];
     if (!nodes_of.contains(kind)) {
         std::string name;
         int dimension = 0, order = 0, corners = 0;
         std::vector<double> local;
         if (kind < 1 || kind > 140)
-            refuse_line(
+            refuse_damaged(
+                line,
                 fmt::format("an element of kind {} found, 1 to 140 are known", kind));
         gmsh::model::mesh::getElementProperties(static_cast<int>(kind), name, dimension,
                                                 order, nodes_of[kind], local, corners);
     }
     const long long found = static_cast<long long>(numbers.size()) - 3;
     if (tags < 0 || found != tags + nodes_of[kind])
-        refuse_line(
-            fmt::format("{} tags and nodes found, {} tags and {} nodes belong to "
-                        "this element of kind {}",
-                        found, tags, nodes_of[kind], kind));
+        refuse_damaged(
+            line, fmt::format("{} tags and nodes found, {} tags and {} nodes belong to "
+                              "this element of kind {}",
+                              found, tags, nodes_of[kind], kind));
     // The third tag is a number of partitions, which are the tags after it.
     if (tags > 2 && numbers[5] != tags - 3)
-        refuse_line(fmt::format("{} partitions announced in {} tags", numbers[5], tags));
+        refuse_damaged(
+            line, fmt::format("{} partitions announced in {} tags", numbers[5], tags));
 }
 
 // Throws where a text file of version 2.2 has nodes or elements twice, in another number
@@ -160,9 +163,7 @@ void check_sections(const std::filesystem::path& file) {
     section.clear();
     for (int number = 1; std::getline(stream, line); ++number) {
         const auto refuse_line = [&](const std::string& what) {
-            throw std::runtime_error(
-                fmt::format("line {}: {} in {}; the file is damaged, save it again",
-                            number, what, section));
+            refuse_damaged(number, what + " in " + section);
         };
         if (line.starts_with('$')) {
             if (rest > 0) refuse_line("too few rows");

@@ -200,7 +200,7 @@ def shown_box(scene, found):
 
 
 def bytes_of(value):
-    """Of the packed numbers in it, which are most of what it takes on a page."""
+    """Length of the packed numbers in it, which are most of what it takes on a page."""
     if isinstance(value, str):
         return len(value)
     inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()

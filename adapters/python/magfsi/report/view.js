@@ -48,7 +48,7 @@ class View {
     return [0, 1].map(end => [0, 1, 2].map(d => Math[end ? "max" : "min"](...parts.map(p => p[end][d]))));
   }
 
-  // How much of the view's width the first robot's length is, framed on its course.
+  // The first robot's length takes this share of the view's width, framed on its course.
   share() {
     if (!this.run.bodies || !this.canvas.clientWidth) return 1;
     this.width = this.canvas.clientWidth; this.height = this.canvas.clientHeight;

@@ -2,7 +2,7 @@
 // Vortices: translucent surfaces of equal |curl u|, of the stored instant that is nearest. A canvas
 // would show the seam of each translucent triangle, so they are filled here, pixel by pixel, each once.
 // Colours of what lies over each other are weighted means: no order is needed (McGuire and Bavoil 2013).
-// What is behind the robot is hidden by it.
+// The robot hides what is behind it.
 class Vortices {
   constructor(found) { Object.assign(this, found); }
 
