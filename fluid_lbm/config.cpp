@@ -22,7 +22,8 @@ CollisionCase collision_case(const FluidConfig& config) {
     const double tau = relaxation_time(config);
     return {
         tau, config.holds_no_slip,
-        cell_reynolds_number(config, config.expected_speed_m_s, config.spacing_m, tau)};
+        cell_reynolds_number(config, config.expected_speed_m_s, config.spacing_m, tau),
+        has_moving_wall(config, config.spacing_m, tau)};
 }
 
 }  // namespace

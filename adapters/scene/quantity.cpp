@@ -116,28 +116,36 @@ SiValue any_quantity(std::string_view text) {
 struct Most {
     std::string_view si;
     double value;
+    char likely = 'm';  // the prefix that was meant most often
 };
 constexpr Most beyond[] = {
-    {"m", 1e3},    // the largest tank there is
-    {"s", 1e7},    // four months
-    {"T", 50},     // more than any magnet that stands (45 T, Tallahassee)
-    {"T/m", 1e6},  // at a grain of a micrometre: 1 T over it
-    {"A/m", 1e7},  // five times that of iron
-    {"A", 1e6},   {"m/s", 1e4}, {"kg/m3", 1e5}, {"Pa", 1e13}, {"kg", 1e6},
+    {"m", 1e3},     // the largest tank there is
+    {"s", 5e5},     // six days
+    {"T", 50},      // more than any magnet that stands (45 T, Tallahassee)
+    {"T/m", 1e5},   // 1 T over ten micrometres
+    {"A/m", 1e7},   // five times that of iron
+    {"A", 1e5},     // turns of a large magnet included
+    {"A m2", 1e5},  // a ton of magnets
+    {"m/s2", 1e6},  // a fast centrifuge
+    {"1/s", 1e9},   // rates of strain beyond any fluid's
+    {"N/m3", 1e9},  // ten thousand times the weight of lead
+    {"m2/s", 1e3},  // a thousand million times water
+    {"Pa", 1e13, 'k'}, {"kg/m3", 1e5, 'k'}, {"m/s", 1e4}, {"kg", 1e6}, {"N", 1e6},
 };
 
-// Suggestion with the prefix m in place of the given one or before the unit, if that
+// Suggestion with the likely prefix in place of the given one or before the unit, if that
 // gives a plausible size; else "".
-std::string likely_size(std::string_view text, const Dimension& dimension, double most) {
+std::string likely_size(std::string_view text, const Dimension& dimension,
+                        const Most& most) {
     const auto unit_at = text.find_first_not_of("0123456789.+-eE \t");
     if (unit_at == std::string_view::npos) return {};
     const std::string number(trim(text.substr(0, unit_at)));
     const std::string unit(text.substr(unit_at));
-    for (const std::string& other : {"m" + unit.substr(1), "m" + unit}) {
+    for (const std::string& other : {most.likely + unit.substr(1), most.likely + unit}) {
         try {
             const std::string likely = fmt::format("{} {}", number, other);
             const SiValue found = any_quantity(likely);
-            if (found.dimension == dimension && std::abs(found.value) <= most)
+            if (found.dimension == dimension && std::abs(found.value) <= most.value)
                 return fmt::format("did you mean \"{}\"?", likely);
         } catch (const Complaint&) {  // no unit
         }
@@ -159,7 +167,7 @@ void check_size(const SiValue& found, std::string_view text) {
     throw Complaint(
         fmt::format("{}, which is {:.4g} {}", in_quotes(text), found.value, most.si),
         fmt::format("at most {:g} {}", most.value, most.si),
-        likely_size(text, found.dimension, most.value));
+        likely_size(text, found.dimension, most));
 }
 
 }  // namespace

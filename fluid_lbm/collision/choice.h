@@ -17,6 +17,8 @@ struct CollisionCase {
     // not depend on the time step.
     bool holds_no_slip = false;
     double cell_reynolds_number = 0;  // used for recursive_mrt only
+    // True if a side is a wall that moves along itself, with inertia in a cell beside it.
+    bool has_moving_wall = false;
 };
 
 // Reynolds number of a cell: largest expected speed times spacing over viscosity. If no
@@ -50,10 +52,17 @@ constexpr bool reaches_trt(double relaxation_time) {
     return relaxation_time > fitted::trt_from - 1e-6;
 }
 
-// True if a side is a wall that moves along itself.
-inline bool has_moving_wall(const Options& options) {
-    return std::ranges::any_of(options.boundaries, [](const Boundary& side) {
-        return side.kind == BoundaryKind::no_slip && side.wall_velocity_m_s != Vec3{};
+// True if a side is a wall that moves along itself. One that is so slow that a cell
+// beside it has no inertia (Reynolds number of the cell below 0.01; the regularised
+// collision fails from about 10 on) counts as resting: what hardly moves shall change
+// nothing.
+inline bool has_moving_wall(const Options& options, double spacing_m,
+                            double relaxation_time) {
+    return std::ranges::any_of(options.boundaries, [&](const Boundary& side) {
+        const double speed_m_s = norm(side.wall_velocity_m_s);
+        return side.kind == BoundaryKind::no_slip && speed_m_s > 0 &&
+               cell_reynolds_number(options, speed_m_s, spacing_m, relaxation_time) >
+                   0.01;
     });
 }
 
@@ -66,7 +75,7 @@ inline bool has_moving_wall(const Options& options) {
 inline Collision choose_collision(const Options& options, const CollisionCase& now) {
     if (options.collision != Collision::automatic) return options.collision;
     const bool low = !reaches_trt(now.relaxation_time);
-    if (!low || has_moving_wall(options)) return Collision::trt;
+    if (!low || now.has_moving_wall) return Collision::trt;
     if (now.holds_no_slip) return Collision::recursive_mrt;
     return Collision::recursive_regularized;
 }

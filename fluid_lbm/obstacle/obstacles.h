@@ -74,7 +74,7 @@ struct CutLink {
     // obstacle and of the one that goes to it.
     std::ptrdiff_t from_wall[2] = {}, to_wall[2] = {};
     // Distance of the wall from the cell's centre over the link's length; exactly 1/2
-    // where the interpolation lacks its second fluid cell.
+    // where the interpolation lacks its second fluid cell, and beside inlets.
     double distance = 0.5;
     signed char push[3] = {};  // direction in which the population strikes
     short obstacle = 0;  // obstacle whose force the link counts in; count() if in none
@@ -166,7 +166,10 @@ class Obstacles {
 // that is not an earlier obstacle's. Collective.
 void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map);
 // The same check before a run, for the whole box on one process. Also throws if the shape
-// of an obstacle is not possible (make_solids).
+// of an obstacle is not possible (make_solids), or if an inlet is behind obstacles.
 void check_obstacles(const FluidConfig& config);
+// Part of the flow that an inlet is asked for which obstacles at the side let into the
+// box. map: of the whole box.
+double share_past_obstacles(const FluidConfig& config, const SolidMap& map, int side);
 
 }  // namespace magfsi::fluid

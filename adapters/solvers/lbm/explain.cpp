@@ -272,14 +272,24 @@ std::string refinement(const LevelConfigs& levels) {
 // The flow [mm3/s] through each side with an inlet, after its ramp and without its
 // variation in time.
 std::string inlets(const fluid::FluidConfig& config) {
+    std::optional<fluid::SolidMap> map;
     std::string text;
     for (int side = 0; side < 6; ++side) {
         const double flow_m3_s = fluid::inflow_m3_s(config, side);
         if (flow_m3_s == 0) continue;
-        text +=
-            fmt::format("  flow {} by {}: {:.5g} mm3/s\n", flow_m3_s > 0 ? "in" : "out",
-                        scene::names<scene::Face>[static_cast<std::size_t>(side)],
-                        std::abs(flow_m3_s) * 1e9);
+        double share = 1;
+        if (!config.obstacles.empty()) {
+            if (!map)
+                map.emplace(config, fluid::make_solids(config),
+                            CellBox{{0, 0, 0}, config.cells});
+            share = fluid::share_past_obstacles(config, *map, side);
+        }
+        text += fmt::format(
+            "  flow {} by {}: {:.5g} mm3/s{}\n", flow_m3_s > 0 ? "in" : "out",
+            scene::names<scene::Face>[static_cast<std::size_t>(side)],
+            share * std::abs(flow_m3_s) * 1e9,
+            share < 1 ? fmt::format("; obstacles keep {:.3g} % off", 100 * (1 - share))
+                      : "");
     }
     return text;
 }
@@ -295,7 +305,7 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int
     const auto& n = config.cells;
     const double cells = 1.0 * n[0] * n[1] * n[2];
     std::string text = table(fluid, v);
-    text += life_of_sound(fluid, v) + sound(fluid, v);
+    text += life_of_sound(fluid, v) + sound(fluid, v, scene.time.end_s);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
     text += inlets(config);

@@ -25,8 +25,30 @@ constexpr double min_odd_rate = 0.1;
 // Advice has three digits; whoever follows it may be beyond a limit by their rounding.
 constexpr double rounded = 1.005;
 
-// Value of (omega L / c)^2 above which the text suggests a ramp.
+// Value of (omega L / c)^2 above which the text suggests a ramp, and the part of its peak
+// by which the velocity of such a ramp changes at most while sound crosses the box.
 constexpr double overshoots = 0.05;
+const double overshoots_by = std::sqrt(overshoots) / 2;
+
+// Largest change of a course by table or formula, over its peak, within an interval; the
+// inlet's ramp included.
+double largest_change(const fluid::Inlet& inlet, double within_s, double end_s) {
+    const auto factor = [&](double t_s) {
+        const double ramp =
+            t_s >= inlet.ramp_s
+                ? 1
+                : 0.5 * (1 - std::cos(std::numbers::pi * t_s / inlet.ramp_s));
+        return ramp * inlet.factor(t_s);
+    };
+    constexpr int most = 100'000;  // steps looked at
+    const int count = static_cast<int>(std::min<double>(most, 4 * end_s / within_s + 1));
+    double largest = 0;
+    for (int i = 0; i < count; ++i) {
+        const double t_s = end_s * i / count;
+        largest = std::max(largest, std::abs(factor(t_s + within_s) - factor(t_s)));
+    }
+    return largest / inlet.peak_factor;
+}
 
 }  // namespace
 
@@ -173,7 +195,7 @@ std::string life_of_sound(const scene::Fluid& fluid, const LatticeValues& v) {
     return text + "\n";
 }
 
-std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
+std::string sound(const scene::Fluid& fluid, const LatticeValues& v, double end_s) {
     using std::numbers::pi;
     std::string text;
     for (std::size_t face = 0; face < 6; ++face) {
@@ -193,6 +215,9 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
         const bool at_once =
             inlet.ramp_s == 0 &&
             (inlet.course ? inlet.factor(0) != 0 : !fluid.initial_velocity_m_s);
+        const double change = inlet.course && wave == nullptr
+                                  ? largest_change(inlet, crossing_s, end_s)
+                                  : 0;
         const double start = inlet.ramp_s > 0 ? square(pi / inlet.ramp_s) : 0;
         if (at_once)
             text += "; the flow starts at once";
@@ -203,6 +228,12 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
                 ", so that the far end follows late and overshoots, and forces with it: "
                 "a ramp of {:.3g} ms has {:.2g}",
                 1e3 * pi * crossing_s / std::sqrt(overshoots), overshoots);
+        else if (change > overshoots_by)
+            text += fmt::format(
+                "; meanwhile the course changes by {:.2g} of its peak, so that the far "
+                "end follows late and overshoots, and forces with it: with a course "
+                "{:.2g} times as slow it would hardly",
+                change, change / overshoots_by);
         text += "\n";
     }
     return text;

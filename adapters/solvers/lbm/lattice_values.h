@@ -38,8 +38,9 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v);
 std::string life_of_sound(const scene::Fluid& fluid, const LatticeValues& v);
 
 // A line for each velocity inlet: the time that sound takes to cross the box and (omega
-// L / c)^2 of the inlet's variation in time and of its ramp. The lattice behaves as an
+// L / c)^2 of the inlet's variation in time and of its ramp, or the change of a course by
+// table or formula meanwhile, until the run's end. The lattice behaves as an
 // incompressible fluid only where this number is small (docs/howto/obstacle.md).
-std::string sound(const scene::Fluid& fluid, const LatticeValues& v);
+std::string sound(const scene::Fluid& fluid, const LatticeValues& v, double end_s);
 
 }  // namespace magfsi::lbm

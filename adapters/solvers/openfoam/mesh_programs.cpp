@@ -178,8 +178,19 @@ std::string fault_in(const std::string& log) {
     return text;
 }
 
-// Runs one of OpenFOAM's programs on the case. It gets the folder as a descriptor, for
-// OpenFOAM takes blanks out of paths.
+// The environment, with / for the present folder.
+std::vector<char*> environment_at_root() {
+    static std::string root = "PWD=/";
+    std::vector<char*> out{root.data()};
+    for (char** entry = environ; *entry != nullptr; ++entry)
+        if (!std::string_view(*entry).starts_with("PWD=")) out.push_back(*entry);
+    out.push_back(nullptr);
+    return out;
+}
+
+// Runs one of OpenFOAM's programs on the case. It gets the folder as a descriptor and
+// runs in /, for OpenFOAM refuses blanks and quotes in paths, that of its own folder
+// included, which it takes from the variable PWD.
 void run_program(const std::string& name, const fs::path& folder) {
     constexpr int descriptor = 50;
     const std::string log = (folder / ("log." + name)).string();
@@ -192,14 +203,15 @@ void run_program(const std::string& name, const fs::path& folder) {
     posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_EXCL,
                                      0644);
     posix_spawn_file_actions_adddup2(&files, 1, 2);
+    posix_spawn_file_actions_addchdir_np(&files, "/");
     std::string program = name, option = "-case",
                 way = fmt::format("/proc/self/fd/{}", descriptor), over = "-overwrite";
     char* arguments[] = {program.data(), option.data(), way.data(),
                          name == "snappyHexMesh" ? over.data() : nullptr, nullptr};
     setenv("WM_PROJECT_DIR", "/usr/share/openfoam", 0);
     pid_t child = 0;
-    const int fault =
-        posix_spawnp(&child, name.c_str(), &files, nullptr, arguments, environ);
+    const int fault = posix_spawnp(&child, name.c_str(), &files, nullptr, arguments,
+                                   environment_at_root().data());
     posix_spawn_file_actions_destroy(&files);
     if (fault != 0)
         throw std::runtime_error(fmt::format(

@@ -35,6 +35,9 @@ TEST(CollisionChoice, FollowsMovingWalls) {
     EXPECT_EQ(choose_collision(config), Collision::recursive_regularized);
     config.boundaries[3].wall_velocity_m_s = {0.1, 0, 0};
     EXPECT_EQ(choose_collision(config), Collision::trt);
+    // What hardly moves changes nothing.
+    config.boundaries[3].wall_velocity_m_s = {1e-12, 0, 0};
+    EXPECT_EQ(choose_collision(config), Collision::recursive_regularized);
 }
 
 // What adds to a flow, or adds nothing to it, does not change the collision: a case would

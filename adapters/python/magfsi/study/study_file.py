@@ -4,9 +4,9 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from magfsi import runs
 from magfsi.study import marked
 from magfsi.study.expression import Formula, formula
+from magfsi.study.foreign_table import Table, TableFault
 from magfsi.study.product import read_derived
 from magfsi.units import parse
 
@@ -144,21 +144,20 @@ def _table(value, axes, folder):
 
 
 def _one_table(keys, path):
+    columns = []
     try:
-        table = runs.read_table(path)
+        table = Table(path)
+        for which in ("time", "value"):
+            name = keys[which].scalar()
+            if name not in table.names:
+                keys[which].refuse(f'"{name}"', f"a column of {path}: {', '.join(table.names)}")
+            factor = keys[f"{which}_factor"]
+            scale = factor.number() if factor else 1.0
+            columns.append([scale * number for number in table.numbers(name)])
     except OSError as error:
         keys["file"].refuse(f"{path}: {error.strerror.lower()}", "a CSV file")
-    columns = []
-    for which in ("time", "value"):
-        name = keys[which].scalar()
-        if not table.get(name):
-            keys[which].refuse(f'"{name}"', f"a column of {path}: {', '.join(table)}")
-        factor = keys[f"{which}_factor"]
-        scale = factor.number() if factor else 1.0
-        try:
-            columns.append([scale * float(text) for text in table[name]])
-        except ValueError:
-            keys[which].refuse(f'words in the column "{name}" of {path}', "numbers")
+    except TableFault as fault:
+        keys["file"].refuse(str(fault), "a table of numbers with a header")
     return Reference(times=columns[0], values=columns[1])
 
 
