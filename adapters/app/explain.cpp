@@ -15,6 +15,7 @@
 #include "adapters/app/cost.h"
 #include "adapters/app/explain_bodies.h"
 #include "adapters/app/explain_files.h"
+#include "adapters/app/run_checks.h"
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
@@ -148,23 +149,42 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& solids,
     if (!scene.bodies.empty()) text += explain_structure(scene, solids);
     if (scene.control) text += explain_control(scene, solids);
     if (scene.fluid) text += fluid_program(scene).explain(scene, solids, fluid_ranks);
+    check_overlap_at_start(scene, solids);
     if (scene.coupling && !scene.bodies.empty()) text += explain_coupling(scene, solids);
     // Files come last: one that cannot be read has then been refused with its place in
     // the scene by the part that uses it.
     return text + explain_files(scene, solids);
 }
 
+namespace {
+
+// Lines of a text for which keep(line without leading blanks) is not "".
+template <class Keep>
+std::vector<std::string> kept_lines(const std::string& text, Keep&& keep) {
+    std::vector<std::string> out;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string kept =
+            keep(line.substr(std::min(line.find_first_not_of(' '), line.size())));
+        if (!kept.empty()) out.push_back(kept);
+    }
+    return out;
+}
+
+}  // namespace
+
 // Warnings are found by their prefix in the text, so that every part of it may give some.
 std::vector<std::string> warnings(const std::string& explanation) {
     constexpr std::string_view mark = "warning: ";
-    std::vector<std::string> out;
-    std::istringstream lines(explanation);
-    for (std::string line; std::getline(lines, line);) {
-        const auto at = line.find_first_not_of(' ');
-        if (at != std::string::npos && line.substr(at).starts_with(mark))
-            out.push_back(line.substr(at + mark.size()));
-    }
-    return out;
+    return kept_lines(explanation, [&](const std::string& line) {
+        return line.starts_with(mark) ? line.substr(mark.size()) : "";
+    });
+}
+
+std::vector<std::string> surfaces(const std::string& explanation) {
+    return kept_lines(explanation, [&](const std::string& line) {
+        return line.find(": surface of ") != std::string::npos ? line : "";
+    });
 }
 
 // Values that do not apply have no key.

@@ -20,6 +20,8 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& solids,
 
 // Lines of the explanation that begin with "warning: ", without that prefix.
 std::vector<std::string> warnings(const std::string& explanation);
+// Its lines on surfaces from files: triangles, parts, extent, volume.
+std::vector<std::string> surfaces(const std::string& explanation);
 
 // JSON object for programs: name, scene_hash (as in summary.json), version, machine,
 // ranks by role; spacing_m and step_s of a fluid; steps of moving bodies; the predicted

@@ -95,6 +95,13 @@ void check_size(const scene::Scene& scene, const scene::Body& body,
                    words::likely_unit(most_m, mesh->unit_m, least_m, 2 * room_m));
 }
 
+// True if the centre line ends where it begins, as that of a ring.
+bool is_closed(const structure::Mesh& mesh) {
+    const structure::Vec3 first = position(mesh, mesh.centre_line.front());
+    const structure::Vec3 last = position(mesh, mesh.centre_line.back());
+    return norm(last - first) < 1e-6 * norm(structure::bounds(mesh.nodes).extent_m());
+}
+
 // Throws std::invalid_argument as the run would.
 void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    const structure::Body& solid) {
@@ -111,9 +118,10 @@ void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    "take a larger fluid.spacing");
     if (!scene.probes) return;
     constexpr std::size_t points_of_a_shape = 4;
-    scene::require(std::ranges::find(scene.probes->bodies, scene::BodyQuantity::shape) ==
-                           scene.probes->bodies.end() ||
-                       solid.mesh.centre_line.size() >= points_of_a_shape,
+    const bool has_shape =
+        std::ranges::find(scene.probes->bodies, scene::BodyQuantity::shape) !=
+        scene.probes->bodies.end();
+    scene::require(!has_shape || solid.mesh.centre_line.size() >= points_of_a_shape,
                    {"probes.bodies"},
                    fmt::format("shape of body '{}', whose centre line has {} points",
                                body.name, solid.mesh.centre_line.size()),
@@ -122,6 +130,11 @@ void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                                "named centre_line",
                                points_of_a_shape - 1),
                    "leave shape out, and name places in probes.points");
+    scene::require(
+        !has_shape || !is_closed(solid.mesh), {"probes.bodies"},
+        fmt::format("shape of body '{}', whose centre line is closed", body.name),
+        "it of bodies with two ends",
+        "leave shape out, and name places in probes.points");
     for (const scene::PointProbe& point : scene.probes->points) {
         if (point.body == body.name) (void)bodies::locate(body, solid.mesh, point.at_m);
     }

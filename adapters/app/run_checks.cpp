@@ -6,16 +6,41 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
+
+#include "adapters/solvers/bodies/overlaps.h"
+#include "structure/lammps/placement.h"
 
 namespace magfsi::launch {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// What is wrong in the text of a controller's script; "" if nothing is. The shell takes
+// the name in quotes, of which those within it are taken out.
+std::string fault_in(const std::string& script) {
+    std::string quoted;
+    for (const char c : script) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    const std::string command =
+        fmt::format("{} -P -m magfsi.controller '{}'", python, quoted);
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"),
+                                                     &pclose);
+    std::string text;
+    char line[256];
+    while (pipe && std::fgets(line, sizeof line, pipe.get())) text += line;
+    return text;
+}
+
+}  // namespace
+
 // Imports are tried in a new interpreter. -P keeps the current folder, whose files may be
 // a stranger's, off Python's path.
-void need_controller() {
+void check_controller(const scene::Scene& scene) {
     const auto imports = [](const std::string& package) {
         const std::string command =
             fmt::format("{} -P -c 'import {}' 2>/dev/null", python, package);
@@ -28,6 +53,8 @@ void need_controller() {
     if (!imports("magfsi.controller"))
         throw std::invalid_argument(
             "control: needs the launcher ./magfsi, which knows the Python package");
+    const std::string fault = fault_in(scene.control->script);
+    if (!fault.empty()) throw std::invalid_argument("control.script: found " + fault);
 }
 
 // Only the command line may name the program: a scene from a stranger must not start one.
@@ -60,6 +87,24 @@ void check_default_out(const scene::Scene& scene, const fs::path& out) {
                             "the run folder with --out",
                             path.string(), fs::read_symlink(path).string()));
     }
+}
+
+void check_overlap_at_start(const scene::Scene& scene, const bodies::Solids& solids) {
+    const bool is_found_by_run = std::ranges::any_of(
+        scene.bodies,
+        [](const scene::Body& body) { return body.initial.relaxed.has_value(); });
+    if (!scene.coupling || scene.coupling->overlap == coupler::OverlapRule::allow ||
+        is_found_by_run)
+        return;
+    std::vector<structure::Vec3> start_m;
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        const auto nodes =
+            structure::placed_nodes(solids[b], scene.bodies[b].initial, {0, 2});
+        start_m.insert(start_m.end(), nodes.begin(), nodes.end());
+    }
+    const auto found = bodies::Overlaps(scene, solids, start_m).find(start_m);
+    if (!found.overlap.empty())
+        throw std::invalid_argument("bodies overlap at the start: " + found.overlap);
 }
 
 }  // namespace magfsi::launch

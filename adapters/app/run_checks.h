@@ -7,14 +7,20 @@
 
 #include "adapters/app/run.h"
 #include "adapters/scene/scene.h"
+#include "adapters/solvers/bodies/scene_to_body.h"
 
 namespace magfsi::launch {
 
 // The system's Python, which has Debian's packages.
 constexpr const char* python = "/usr/bin/python3";
 
-// Requires the Python packages that a scene with `control` needs: mpi4py and magfsi.
-void need_controller();
+// Requires the Python packages that a scene with `control` needs, mpi4py and magfsi, and
+// refuses a script whose text cannot run. The script is not run.
+void check_controller(const scene::Scene& scene);
+
+// Refuses bodies that overlap at the start, themselves, each other, obstacles or sides,
+// unless the scene allows overlaps or a body starts in a shape that only the run finds.
+void check_overlap_at_start(const scene::Scene& scene, const bodies::Solids& solids);
 
 // Checks --structure: it must be given exactly for scenes with coupling.structure: own,
 // and be executable.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fluid_lbm/refinement/boxes.h"
+#include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
 
@@ -231,6 +232,17 @@ std::optional<std::vector<NestPlaces>> place_nests(
     const Placement placement(coarse, rule, bodies_m, before);
     if (before && placement.all_stay()) return {};
     return placement.places();
+}
+
+void refuse_bodies_at_sides(const FluidConfig& coarse, PatchRule rule,
+                            int least_margin_cells, const std::vector<BodyBox>& bodies_m,
+                            const std::vector<NestPlaces>& places) {
+    rule.margin_cells = least_margin_cells;
+    if (place_nests(coarse, rule, bodies_m, &places))
+        refuse(
+            "a body has come to the sides of the refined patch, which stays where it "
+            "is: take a larger fluid.refinement.box, or leave it out for a patch "
+            "that follows");
 }
 
 }  // namespace magfsi::fluid

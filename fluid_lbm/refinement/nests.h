@@ -35,4 +35,10 @@ std::optional<std::vector<NestPlaces>> place_nests(const FluidConfig& coarse,
                                                    const std::vector<BodyBox>& bodies_m,
                                                    const std::vector<NestPlaces>* before);
 
+// Throws std::invalid_argument if a body does not keep the least margin to the sides of
+// nests that stay where they are.
+void refuse_bodies_at_sides(const FluidConfig& coarse, PatchRule rule,
+                            int least_margin_cells, const std::vector<BodyBox>& bodies_m,
+                            const std::vector<NestPlaces>& places);
+
 }  // namespace magfsi::fluid

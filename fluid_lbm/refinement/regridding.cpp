@@ -165,13 +165,8 @@ void RefinedFluid::regrid(const std::vector<NestPlaces>& places) {
 bool RefinedFluid::follow(const std::vector<BodyBox>& bodies_m) {
     const auto now = places();
     if (!config_.rule.follows) {
-        PatchRule rule = config_.rule;
-        rule.margin_cells = config_.least_margin_cells;
-        if (place_nests(config_.coarse, rule, bodies_m, &now))
-            refuse(
-                "a body has come to the sides of the refined patch, which stays where it "
-                "is: take a larger fluid.refinement.box, or leave it out for a patch "
-                "that follows");
+        refuse_bodies_at_sides(config_.coarse, config_.rule, config_.least_margin_cells,
+                               bodies_m, now);
         return false;
     }
     const auto places = place_nests(config_.coarse, config_.rule, bodies_m, &now);

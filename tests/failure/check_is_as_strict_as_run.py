@@ -113,6 +113,18 @@ class CheckAndRun(unittest.TestCase):
         self.assertAlmostEqual(sag["0 Pa"] / sag["1 Pa"], 1, delta=1e-5)
 
 
+PLATE = ("{mesh: {box: {size: [1 mm, 1 mm, 0.5 mm], elements: [3, 3, 2]}}, material: {shear_modulus: 33 kPa, "
+         "lame_lambda: 660 kPa, density: 1860 kg/m3}, initial: {position: [4.1 mm, 2 mm, 4 mm]}}")
+INLET = {"fluid.boundaries.x_min": "{velocity_inlet: {velocity: [1 mm/s, 0 m/s, 0 m/s]}}",
+         "fluid.boundaries.x_max": "pressure_outlet"}
+
+
+def controlled(script):
+    file = Path(testing.new_folder()).with_suffix(".py")
+    file.write_text(script)
+    return {"control": f"{{script: {file}, every: 0.1 ms}}"}
+
+
 BALL = "sphere: {centre: [6 mm, 1 mm, 2 mm], diameter: 1 mm}"
 # In the fluid of the small swimmer.
 IN_A_FLUID = {
@@ -127,6 +139,19 @@ IN_A_FLUID = {
                                     "whose centre line has 3 points"),
     "a shape of cubes": ({"bodies.robot.mesh": "{voxels: {file: CUBE, unit: 1 mm, spacing: 0.25 mm}}",
                           "probes.points": "null"}, "whose centre line has 0 points"),
+    "a shape of a ring": ({"bodies.robot.mesh": "{arc: {inner_radius: 1 mm, outer_radius: 1.4 mm, width: 0.4 mm, "
+                           "angle: 360 deg, elements: [16, 2, 2]}}", "probes.points": "null"}, "closed"),
+    "two bodies in one place": ({"bodies.second": PLATE}, "passes through"),
+    "two bodies in one place with contact": ({"bodies.second": PLATE, "contact": "{}"}, "passes through"),
+    "a patch around a part of the body": ({"fluid.refinement": "{levels: 1, box: [[3 mm, 1 mm, 3 mm], "
+                                           "[5 mm, 3 mm, 5 mm]]}"}, "come to the sides of the refined patch"),
+    "an inlet behind an obstacle": ({**INLET, "fluid.obstacles": "{a: {box: [[-1 mm, -1 mm, -1 mm], "
+                                     "[0.5 mm, 5 mm, 9 mm]]}}"}, "lies behind fluid.obstacles"),
+    "a controller with a fault of syntax": (controlled("class Controller:\n    def step(self, time probes):\n"
+                                                       "        return 0, 0, 0\n"), ":2: "),
+    "a controller without its class": (controlled("x = 1\n"), "no class Controller"),
+    "a controller of two arguments": (controlled("class Controller:\n    def step(self, time):\n"
+                                                 "        return 0, 0, 0\n"), "step takes 2 arguments"),
 }
 
 
@@ -149,6 +174,30 @@ class InAFluid(unittest.TestCase):
                     said.append(done.stderr.strip().splitlines()[-1])
                 self.assertIn(words, said[0])
                 self.assertEqual(len(set(said)), 1, said)
+
+
+class Seen(unittest.TestCase):
+    """What is not wrong, but perhaps not meant, check and explain tell."""
+
+    def test_parts_of_a_surface_planes_and_flow(self):
+        folder = Path(testing.new_folder())
+        folder.mkdir(exist_ok=True)
+        surfaces.write_stl(folder / "two.stl", surfaces.block([6, 1, 1], [7, 2, 2])
+                           + surfaces.block([6, 1, 6], [7, 3, 7]))
+        settings = {**INLET, "fluid.obstacles": f"{{two: {{stl: {{file: {folder}/two.stl, unit: 1 mm}}}}, "
+                    "wall: {box: [[-1 mm, -1 mm, -1 mm], [1 mm, 5 mm, 2 mm]]}}",
+                    "probes.integrals": "{p: {plane: {axis: z, at: 6.5 mm}}}"}
+        text = subprocess.run(list(map(str, [testing.BIN / "magfsi", "check", testing.SMALL,
+                                             *testing.overrides(settings)])),
+                              capture_output=True, text=True, check=True).stdout
+        self.assertIn("surface of 24 triangles in 2 parts", text)
+        self.assertNotIn("the plane of", text)
+        settings["fluid.obstacles"] = "{all: {box: [[-1 mm, -1 mm, 6 mm], [9 mm, 5 mm, 7 mm]]}}"
+        text = subprocess.run(list(map(str, [testing.BIN / "magfsi", "explain", testing.SMALL,
+                                             *testing.overrides(settings)])),
+                              capture_output=True, text=True, check=True).stdout
+        self.assertIn("warning: the plane of probes.integrals.p lies within obstacles", text)
+        self.assertIn("obstacles keep 12.5 % off", text)  # one of eight millimetres
 
 
 class Inlets(unittest.TestCase):
@@ -174,6 +223,15 @@ class Inlets(unittest.TestCase):
         self.assertGreater(enough, 5 * crossing)
         self.assertNotIn("overshoots", self.warned(f"{1.01 * enough} ms"))
         self.assertIn("overshoots", self.warned(f"{0.9 * enough} ms"))
+
+    def test_courses(self):
+        crossing = float(re.search(r"in ([\d.e+-]+) ms", self.warned("0 ms"))[1])
+        for times, overshoots in ((1, True), (20, False)):
+            end = times * crossing
+            for course in (f"{{table: {{time: [0 s, {end} ms], factor: [0, 1]}}}}",
+                           f"{{formula: 1-exp(-t/({end} ms))}}"):
+                line = self.warned("0 ms", "--set", "fluid.boundaries.x_min.velocity_inlet.course=" + course)
+                self.assertEqual("overshoots" in line, overshoots, line)
 
 
 if __name__ == "__main__":

@@ -189,7 +189,7 @@ class Paths(unittest.TestCase):
     @unittest.skipUnless((testing.BIN.parent / "lib/libmagfsi_openfoam_engine.so").exists(),
                          "built without OpenFOAM (packages-optional.txt)")
     def test_openfoam(self):
-        settings = {"fluid.solver": "openfoam", "fluid.obstacles": "null", "contact": "null",
+        settings = {"fluid.solver": "openfoam", "contact": "null",
                     "fluid.expected_speed": "0.1 m/s", "control": "null", "time.end": "2 ms",
                     "probes.every": "1 ms", "checkpoint": "null", "output": "null",
                     "coupling.immersed_boundary.forcing": "penalty"}

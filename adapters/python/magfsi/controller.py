@@ -7,6 +7,7 @@ coupler/participants/controller.cpp is the other end of the messages.
 """
 from __future__ import annotations
 
+import ast
 import ctypes
 import faulthandler
 import fcntl
@@ -30,6 +31,8 @@ MEMBER = struct.Struct("=qQ32sqqQ")
 STEP = struct.Struct("=qd")  # in front of the probes
 EXIT_PARTNER = 4
 MODULE = "magfsi_control_script"
+NO_CONTROLLER = "no class Controller with a method step"
+STEP_TAKES = 3  # self, time, probes
 
 
 class Nonsense(Exception):
@@ -143,7 +146,7 @@ class Script:
         spec.loader.exec_module(module)
         kind = getattr(module, "Controller", None)
         if not isinstance(kind, type) or not callable(getattr(kind, "step", None)):
-            raise Nonsense("no class Controller with a method step")
+            raise Nonsense(NO_CONTROLLER)
         self.controller = None if plan["restored"] else kind()
         if plan["keeps"] and not plan["restored"]:
             self.keep()  # to know now, not when the first checkpoint is written
@@ -161,6 +164,35 @@ class Script:
     def restore(self, state: bytes) -> bytes:
         self.controller = pickle.loads(state)
         return b""
+
+
+def fault_in_text(path: str) -> str:
+    """What is seen to be wrong in a script without running it, which may be a stranger's; or ""."""
+    try:
+        tree = ast.parse(Path(path).read_bytes(), path)
+    except (SyntaxError, ValueError) as fault:
+        return f"{path}:{getattr(fault, 'lineno', None) or 1}: {getattr(fault, 'msg', fault)}"
+    kinds = [node for node in tree.body
+             if isinstance(node, ast.ClassDef) and node.name == "Controller"]
+    words = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    words |= {name.asname or name.name for node in ast.walk(tree)
+              if isinstance(node, (ast.Import, ast.ImportFrom)) for name in node.names}
+    if not kinds and not words & {"Controller", "*", "globals"}:
+        return f"{path}: {NO_CONTROLLER}"
+    steps = [node for kind in kinds for node in kind.body
+             if isinstance(node, ast.FunctionDef) and node.name == "step"
+             and not node.decorator_list]
+    if len(kinds) == len(steps) == 1:
+        taken = steps[0].args
+        most = len(taken.posonlyargs) + len(taken.args)
+        least = most - len(taken.defaults) + sum(v is None for v in taken.kw_defaults)
+        if least > STEP_TAKES or (most < STEP_TAKES and taken.vararg is None):
+            return (f"{path}:{steps[0].lineno}: step takes {most} arguments; it is called with "
+                    "self, the time and the probes")
+    if len(kinds) == 1 and not kinds[0].bases and not steps and "step" not in words | {
+            node.name for node in ast.walk(kinds[0]) if isinstance(node, ast.FunctionDef)}:
+        return f"{path}:{kinds[0].lineno}: {NO_CONTROLLER}"
+    return ""
 
 
 # --- what is asked -----------------------------------------------------------------------
@@ -222,6 +254,9 @@ def own_traceback() -> str:
 
 
 def main() -> None:
+    if len(sys.argv) > 1:  # a script to look at (adapters/app/run_checks.cpp)
+        print(fault_in_text(sys.argv[1]), end="")
+        return
     die_with_mpirun()
     # Threads of libraries inherit the mask: the signal is for this one's sleep only.
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGUSR2})

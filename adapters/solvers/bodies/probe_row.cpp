@@ -119,7 +119,10 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
                    const NodalState& start)
     : start_m_(start.position_m) {
     if (!scene.probes) return;
-    if (scene.magnetic_field) {
+    // Sources alone have no uniform part, unless a controller adds one.
+    if (scene.magnetic_field &&
+        (scene.magnetic_field->uniform || !scene.magnetic_field->plus.empty() ||
+         scene.control)) {
         field_ = *scene.magnetic_field;
         groups_.push_back({{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]"},
                            [this](const ProbeSample& sample, Row& row) {

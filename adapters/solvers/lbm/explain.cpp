@@ -294,6 +294,34 @@ std::string inlets(const fluid::FluidConfig& config) {
     return text;
 }
 
+// A warning for each plane of a probe that has no fluid cell.
+std::string planes_in_obstacles(const scene::Scene& scene,
+                                const fluid::FluidConfig& config) {
+    if (!scene.probes || config.obstacles.empty()) return {};
+    std::optional<fluid::SolidMap> map;
+    std::string text;
+    for (const scene::IntegralProbe& probe : scene.probes->integrals) {
+        const auto* plane = std::get_if<scene::FluidPlane>(&probe.over);
+        if (plane == nullptr) continue;
+        CellBox layer{{0, 0, 0}, config.cells};
+        if (!map) map.emplace(config, fluid::make_solids(config), layer);
+        const auto a = static_cast<std::size_t>(plane->axis);
+        layer.lo[a] = std::clamp(static_cast<int>(plane->at_m / config.spacing_m), 0,
+                                 config.cells[a] - 1);
+        layer.hi[a] = layer.lo[a] + 1;
+        bool has_fluid = false;
+        fluid::for_each_cell(layer, [&](const fluid::Cell& cell) {
+            has_fluid = has_fluid || !map->solid(cell);
+        });
+        if (!has_fluid)
+            text += fmt::format(
+                "  warning: the plane of probes.integrals.{} lies within obstacles, and "
+                "its flow and pressure are 0\n",
+                probe.name);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int ranks) {
@@ -308,7 +336,7 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& solids, int
     text += life_of_sound(fluid, v) + sound(fluid, v, scene.time.end_s);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
-    text += inlets(config);
+    text += inlets(config) + planes_in_obstacles(scene, config);
     const auto levels = level_configs(scene, solids);
     if (fluid.refinement) text += refinement(levels);
     const Markers markers = markers_of(scene, solids);

@@ -83,6 +83,11 @@ fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled
 std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene,
                                             const bodies::Solids& solids) {
     if (scene.fluid->refinement->box_m) return {*scene.fluid->refinement->box_m};
+    return boxes_of_bodies_m(scene, solids);
+}
+
+std::vector<fluid::BodyBox> boxes_of_bodies_m(const scene::Scene& scene,
+                                              const bodies::Solids& solids) {
     constexpr double most = std::numeric_limits<double>::max();
     std::vector<fluid::BodyBox> parts;
     for (std::size_t b = 0; b < solids.size(); ++b) {
@@ -105,6 +110,10 @@ LevelConfigs level_configs(const scene::Scene& scene, const bodies::Solids& soli
     levels.resize(1 + config.rule.levels);
     const auto nests = fluid::place_nests(config.coarse, config.rule,
                                           refined_parts_m(scene, solids), nullptr);
+    if (!config.rule.follows && !solids.empty())
+        fluid::refuse_bodies_at_sides(config.coarse, config.rule,
+                                      config.least_margin_cells,
+                                      boxes_of_bodies_m(scene, solids), *nests);
     for (const fluid::NestPlaces& nest : *nests) {
         for (std::size_t i = 0; i < nest.size(); ++i) {
             auto& level = levels[i + 1];

@@ -15,8 +15,12 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s);
 
 // Configuration of all levels, for a scene with fluid.refinement.
 fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled_step_s);
-// Boxes [m] that the finest level is placed around: the box that the scene gives, or one
-// around each body at its start. A body that starts relaxed is taken in its flat shape.
+// Boxes [m] around the bodies at their start. A body that starts relaxed is taken in its
+// flat shape.
+std::vector<fluid::BodyBox> boxes_of_bodies_m(const scene::Scene& scene,
+                                              const bodies::Solids& solids);
+// Boxes [m] that the finest level is placed around: the box that the scene gives, or
+// those of the bodies.
 std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene,
                                             const bodies::Solids& solids);
 

@@ -100,6 +100,8 @@ TEST(ProbeRow, the_field_comes_first_and_only_where_there_is_one) {
     auto scene = robots({"robot"});
     scene.probes->bodies = {Q::max_displacement};
     scene.magnetic_field.emplace();
+    EXPECT_EQ(row_of(scene).columns.size(), 1u);  // no law: sources alone
+    scene.magnetic_field->uniform = true;
     scene.magnetic_field->course = structure::VectorField{{2e-3, 3e-3, -6e-3}};
     const Row row = row_of(scene);
     EXPECT_EQ(row.columns, (Names{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]",

@@ -8,19 +8,14 @@
 #include <algorithm>
 #include <set>
 
-#include "adapters/solvers/bodies/solids_around.h"
+#include "adapters/solvers/bodies/overlaps.h"
 #include "adapters/solvers/lammps/structure_run.h"
 #include "coupler/participants/errors.h"
-#include "structure/mesh/proximity.h"
 
 namespace magfsi::lammps {
 
 namespace {
 
-// Distances in grid spacings. The fluid between surfaces closer than near_cells is not
-// resolved and causes a warning; nodes may sink deep_cells into a side or an obstacle
-// before it counts as an overlap.
-constexpr double near_cells = 0.5, deep_cells = 0.05;
 // Speed of the surfaces that is assumed until the next check: `growth` times the present
 // largest, but at least so many cells in a coupled step, about the speed for which steps
 // are chosen.
@@ -36,48 +31,29 @@ class Overlap : public coupler::Output {
     }
 
   private:
-    // The searches, on the root only.
-    struct Finders {
-        structure::ProximityFinder bodies;
-        bodies::SolidsAround around;
-    };
     void look();  // collective
     std::int64_t look_at(const NodalState& nodes);
-    void tell_near(const structure::Proximities& bodies,
-                   const bodies::SolidProximities& solids);
-    std::string body(std::size_t number) const {
-        return fmt::format("body '{}'", run_.input.bodies[number].name);
-    }
-    std::string pair(const std::array<std::size_t, 2>& of) const {
-        return of[0] == of[1] ? "itself" : body(of[1]);
-    }
-    [[noreturn]] void stop(const std::string& what, const structure::Vec3& at_m,
-                           bool contact_helps) const;
+    void tell_near(const bodies::Overlaps::Found& found);
 
     StructureRun& run_;
     double spacing_m_;
-    std::int64_t next_ = 0;  // step of the next check
-    std::unique_ptr<Finders> finders_;
-    std::set<std::string> told_;  // warnings given so far
+    std::int64_t next_ = 0;                     // step of the next check
+    std::unique_ptr<bodies::Overlaps> finder_;  // on the root only
+    std::set<std::string> told_;                // warnings given so far
 };
 
 Overlap::Overlap(StructureRun& run)
     : run_(run), spacing_m_(run.scene.fluid->finest_spacing_m()) {
     if (!run.session.world().root()) return;
-    std::vector<const structure::Mesh*> meshes;
-    for (const auto& body : run.input.bodies) meshes.push_back(&body.mesh);
-    finders_ = std::make_unique<Finders>(
-        Finders{structure::ProximityFinder(meshes, near_cells * spacing_m_,
-                                           run.scene.fluid->period_m()),
-                bodies::SolidsAround(run.scene, run.input.bodies, run.start.position_m,
-                                     near_cells * spacing_m_, deep_cells * spacing_m_)});
+    finder_ = std::make_unique<bodies::Overlaps>(run.scene, run.input.bodies,
+                                                 run.start.position_m);
 }
 
 // Examines the surfaces on the root and sets the step of the next check on all ranks.
 void Overlap::look() {
     const NodalState nodes = run_.engine->gather(run_.atoms);
     std::int64_t steps = 1;
-    if (finders_) steps = look_at(nodes);
+    if (finder_) steps = look_at(nodes);
     MPI_Bcast(&steps, 1, MPI_INT64_T, 0, run_.session.world().local());
     next_ = run_.session.clock().step() + steps;
 }
@@ -85,34 +61,20 @@ void Overlap::look() {
 // Examines the surfaces; throws coupler::Diverged on an overlap. Returns the number of
 // coupled steps until the next check: surfaces that are apart cannot meet before.
 std::int64_t Overlap::look_at(const NodalState& nodes) {
-    const auto met = finders_->bodies.find(nodes.position_m);
-    if (const auto& m = met.crossing) {
-        stop(fmt::format("{} passes through {}: its element {} through element {}",
-                         body(m->body[0]), pair(m->body), m->element[0] + 1,
-                         m->element[1] + 1),
-             m->at_m, true);
-    }
-    const auto around = finders_->around.find(nodes.position_m, met.apart_m);
-    if (const auto& m = around.inside) {
-        stop(fmt::format("{} passes into {} with its element {}", body(m->body), m->what,
-                         m->element + 1),
-             m->at_m, m->yields_to_contact);
-    }
-    tell_near(met, around);
+    const auto found = finder_->find(nodes.position_m);
+    if (!found.overlap.empty()) throw coupler::Diverged(found.overlap);
+    tell_near(found);
     double fastest = 0;
     for (const structure::Vec3& v : nodes.velocity_m_s)
         fastest = std::max(fastest, norm(v));
     const double travel = std::max(growth * fastest * run_.substeps.coupled_step_s,
                                    least_cells_a_step * spacing_m_);
-    // Surfaces that touch must move by half an element to pass through each other.
-    const double apart =
-        std::max(around.apart_m, 0.5 * finders_->bodies.shortest_edge_m());
-    return std::max<std::int64_t>(1, static_cast<std::int64_t>(0.5 * apart / travel));
+    return std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(0.5 * found.apart_m / travel));
 }
 
 // Warns once of each pair that comes near, except pairs that the key contact holds apart.
-void Overlap::tell_near(const structure::Proximities& bodies,
-                        const bodies::SolidProximities& solids) {
+void Overlap::tell_near(const bodies::Overlaps::Found& found) {
     const auto tell = [&](const std::string& what, const structure::Vec3& at) {
         if (!told_.insert(what).second) return;
         run_.session.log(fmt::format(
@@ -122,29 +84,16 @@ void Overlap::tell_near(const structure::Proximities& bodies,
     };
 
     const bool held = run_.scene.contact.has_value();
-    for (const auto& m : bodies.near)
+    for (const auto& m : found.bodies.near)
         if (!held)
-            tell(fmt::format("{} comes within half a cell of {}", body(m.body[0]),
-                             pair(m.body)),
+            tell(fmt::format("{} comes within half a cell of {}",
+                             finder_->body(m.body[0]), finder_->second(m.body)),
                  m.at_m);
-    for (const auto& m : solids.near)
+    for (const auto& m : found.solids.near)
         if (!held || !m.yields_to_contact)
-            tell(fmt::format("{} comes within half a cell of {}", body(m.body), m.what),
+            tell(fmt::format("{} comes within half a cell of {}", finder_->body(m.body),
+                             m.what),
                  m.at_m);
-}
-
-void Overlap::stop(const std::string& what, const structure::Vec3& at_m,
-                   bool contact_helps) const {
-    const char* advice = !contact_helps ? "take another start, load or box"
-                         : run_.scene.contact
-                             ? "take a larger contact.stiffness, finer elements or a "
-                               "smaller load"
-                             : "add the key contact, which keeps them apart, or take a "
-                               "smaller load";
-    throw coupler::Diverged(
-        fmt::format("{}, at ({:.4g}, {:.4g}, {:.4g}) mm; {}, or go on with "
-                    "coupling.overlap: allow",
-                    what, at_m[0] * 1e3, at_m[1] * 1e3, at_m[2] * 1e3, advice));
 }
 
 }  // namespace
