@@ -24,7 +24,7 @@ std::vector<PlacedMarker> markers_of(const Mesh& mesh) {
     scene::Body& body = scene.bodies.emplace_back();
     body.name = "body";
     body.mesh = structure::MeshFile{};
-    body.position_m = {5e-3, 5e-3, 5e-3};
+    body.initial.position_m = {5e-3, 5e-3, 5e-3};
     return place_markers(scene, 0, mesh);
 }
 
