@@ -212,8 +212,7 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
     std::vector<PlacedMarker> inside = volume;
     draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
     points.insert(points.end(), inside.begin(), inside.end());
-    auto markers =
-        thinned(std::array{points}, mesh, fitted::thinned_to * grid_m, fine_m);
+    auto markers = thinned(std::array{points}, mesh, fitted::thinned_to * grid_m, fine_m);
     // The markers' volumes must add up to the body's: with more, balls diverge at
     // relaxation times above 1.
     share_volume(markers, mesh, volume, grid_m);

@@ -55,10 +55,9 @@ Mesh block_without(const structure::Box& box, const Out& out) {
 }
 
 Mesh plus(double thickness_m, int layers) {
-    return block_without({{2.8e-3, 2.8e-3, thickness_m}, {14, 14, layers}},
-                         [](const Vec3& at) {
-                             return std::min(std::abs(at[0]), std::abs(at[1])) > 4e-4;
-                         });
+    return block_without(
+        {{2.8e-3, 2.8e-3, thickness_m}, {14, 14, layers}},
+        [](const Vec3& at) { return std::min(std::abs(at[0]), std::abs(at[1])) > 4e-4; });
 }
 
 // A cube whose shells become spheres.
@@ -66,14 +65,14 @@ Mesh ball(double radius_m) {
     Mesh mesh = block_without({{2 * radius_m, 2 * radius_m, 2 * radius_m}, {6, 6, 6}},
                               [](const Vec3&) { return false; });
     for (Vec3& x : mesh.nodes) {
-        const double shell =
-            std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+        const double shell = std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
         if (shell > 0) x *= shell / norm(x);
     }
     return mesh;
 }
 
-// Volume and length of the vector area of the marker at this place; none if there is none.
+// Volume and length of the vector area of the marker at this place; none if there is
+// none.
 struct Found {
     double volume_m3 = 0, area_m2 = 0;
     int count = 0;
@@ -103,8 +102,8 @@ void expect_same(const Mesh& mesh, const std::vector<PlacedMarker>& markers,
     for (const PlacedMarker& m : markers) {
         const Vec3 x = structure::position(mesh, m.point);
         const Found here = at(markers, mesh, x), there = at(markers, mesh, image(x));
-        ASSERT_GT(there.count, 0) << "no image of (" << x[0] << ", " << x[1] << ", "
-                                  << x[2] << ")";
+        ASSERT_GT(there.count, 0)
+            << "no image of (" << x[0] << ", " << x[1] << ", " << x[2] << ")";
         EXPECT_NEAR(there.volume_m3, here.volume_m3, 1e-9 * here.volume_m3);
         EXPECT_NEAR(there.area_m2, here.area_m2, 1e-9 * grid_m * grid_m);
     }
@@ -142,16 +141,18 @@ TEST(SymmetricMarkers, of_a_ball) {
             for (const PlacedMarker& other : markers) {
                 const double apart_m = norm(structure::position(mesh, m.point) -
                                             structure::position(mesh, other.point));
-                if (apart_m > 1e-9 * grid_m) EXPECT_GT(apart_m, 0.999 * grid_m);
+                if (apart_m > 1e-9 * grid_m) {
+                    EXPECT_GT(apart_m, 0.999 * grid_m);
+                }
             }
     }
 }
 
 // A block that lacks a corner has no symmetry left but one mirror.
 TEST(SymmetricMarkers, keep_the_one_mirror_of_an_odd_body) {
-    const Mesh mesh = block_without({{1e-3, 1e-3, 1.2e-3}, {5, 5, 6}}, [](const Vec3& at) {
-        return at[0] > 0.2e-3 && at[1] > 0.2e-3;
-    });
+    const Mesh mesh =
+        block_without({{1e-3, 1e-3, 1.2e-3}, {5, 5, 6}},
+                      [](const Vec3& at) { return at[0] > 0.2e-3 && at[1] > 0.2e-3; });
     const auto markers = markers_of(mesh);
     expect_same(mesh, markers, [](const Vec3& x) { return mirror(x, 2); });
     expect_same(mesh, markers, [](const Vec3& x) { return Vec3{x[1], x[0], x[2]}; });
