@@ -81,7 +81,7 @@ using Layers = std::vector<std::vector<Vec3>>;
 // The operations about the middle of all points that leave the set of them as it is.
 class Symmetry {
   public:
-    Symmetry(const Layers& layers, double fine_m) : fine_m_(fine_m) {
+    Symmetry(const Layers& layers, double fine_m, bool any) : fine_m_(fine_m) {
         const auto places = std::views::join(layers);
         Vec3 low = *places.begin(), high = low;
         for (const Vec3& x : places) {
@@ -96,7 +96,10 @@ class Symmetry {
         }
         // Meshes are files of decimal numbers, some with seven digits.
         const double same_m = 1e-6 * norm(high - low);
-        for (const Operation& operation : of_cube()) add(operation, layers, sets, same_m);
+        for (const Operation& operation : of_cube()) {
+            add(operation, layers, sets, same_m);
+            if (!any) break;
+        }
     }
 
     // The point itself; its image if it is so near to a mirror or an axis that no other
@@ -199,12 +202,12 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
 
 std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> layers,
                                   const structure::Mesh& mesh, double apart_m,
-                                  double fine_m) {
+                                  double fine_m, bool symmetric) {
     Layers places(layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i)
         for (const PlacedMarker& p : layers[i])
             places[i].push_back(structure::position(mesh, p.point));
-    const Symmetry symmetry(places, fine_m);
+    const Symmetry symmetry(places, fine_m, symmetric);
     const structure::PointLocator locator(mesh);
     // Points of a regular mesh are often apart_m from each other but for rounding.
     const double least_m = (1 - 1e-9) * apart_m;

@@ -28,6 +28,6 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
 // are moved onto it.
 std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> layers,
                                   const structure::Mesh& mesh, double apart_m,
-                                  double fine_m);
+                                  double fine_m, bool symmetric = true);
 
 }  // namespace magfsi::bodies

@@ -130,7 +130,7 @@ TEST(SymmetricMarkers, of_a_plus_that_is_a_sheet) {
 }
 
 TEST(SymmetricMarkers, of_a_ball) {
-    for (const double cells : {3.0, 4.5, 6.0}) {
+    for (const double cells : {3.0, 4.0, 4.5, 4.96, 6.0}) {
         const Mesh mesh = ball(cells * grid_m);
         const auto markers = markers_of(mesh);
         for (std::size_t axis = 0; axis < 3; ++axis)
