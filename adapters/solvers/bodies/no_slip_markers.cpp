@@ -211,25 +211,8 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
         volume.push_back({p.point, p.volume_m3});
     std::vector<PlacedMarker> inside = volume;
     draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
-    // Rows that begin elsewhere close otherwise: the beginning with which the shell is
-    // nearest to as dense as it would be without symmetries.
-    const double apart_m = fitted::thinned_to * grid_m;
-    const auto count = [&](const std::vector<PlacedMarker>& shell, bool symmetric) {
-        return static_cast<double>(
-            thinned(std::array{shell}, mesh, apart_m, fine_m, symmetric).size());
-    };
-    constexpr int beginnings = 16;
-    const double wanted = count(points, false);
-    std::vector<PlacedMarker> shell = points;
-    double least = INFINITY;
-    for (int i = 0; i < beginnings; ++i) {
-        const double off = std::abs(count(shell, true) - wanted);
-        if (off < least) points = shell;
-        least = std::min(least, off);
-        std::ranges::rotate(shell, shell.begin() + shell.size() / beginnings);
-    }
-    points.insert(points.end(), inside.begin(), inside.end());
-    auto markers = thinned(std::array{points}, mesh, apart_m, fine_m);
+    auto markers =
+        thinned_shell(points, inside, mesh, fitted::thinned_to * grid_m, fine_m);
     // The markers' volumes must add up to the body's: with more, balls diverge at
     // relaxation times above 1.
     share_volume(markers, mesh, volume, grid_m);

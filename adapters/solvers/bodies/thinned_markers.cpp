@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <ranges>
 
@@ -81,7 +82,7 @@ using Layers = std::vector<std::vector<Vec3>>;
 // The operations about the middle of all points that leave the set of them as it is.
 class Symmetry {
   public:
-    Symmetry(const Layers& layers, double fine_m, bool any) : fine_m_(fine_m) {
+    Symmetry(const Layers& layers, double fine_m) : fine_m_(fine_m) {
         const auto places = std::views::join(layers);
         Vec3 low = *places.begin(), high = low;
         for (const Vec3& x : places) {
@@ -96,10 +97,7 @@ class Symmetry {
         }
         // Meshes are files of decimal numbers, some with seven digits.
         const double same_m = 1e-6 * norm(high - low);
-        for (const Operation& operation : of_cube()) {
-            add(operation, layers, sets, same_m);
-            if (!any) break;
-        }
+        for (const Operation& operation : of_cube()) add(operation, layers, sets, same_m);
     }
 
     // The point itself; its image if it is so near to a mirror or an axis that no other
@@ -166,6 +164,85 @@ class Symmetry {
     std::vector<Kept> kept_;  // the identity first
 };
 
+// Dense points that are to be thinned out, with their images.
+class ThinnedPoints {
+  public:
+    ThinnedPoints(std::span<const std::vector<PlacedMarker>> layers,
+                  const structure::Mesh& mesh, double apart_m, double fine_m)
+        : layers_(layers), mesh_(mesh), apart_m_(apart_m) {
+        Layers places(layers.size());
+        for (std::size_t i = 0; i < layers.size(); ++i)
+            for (const PlacedMarker& p : layers[i])
+                places[i].push_back(structure::position(mesh, p.point));
+        const Symmetry symmetry(places, fine_m);
+        for (std::size_t i = 0; i < layers.size(); ++i)
+            for (std::size_t p = 0; p < layers[i].size(); ++p)
+                points_.push_back(
+                    {i, p, symmetry.images(symmetry.fixed(places[i][p]), i)});
+    }
+
+    // A picked point, or an image of one.
+    struct Pick {
+        std::size_t layer, point;  // the dense point, by its number in its layer
+        Symmetry::Image image;
+    };
+    using Picked = std::vector<Pick>;
+
+    // Picks in turn the points that are apart_m from all picked before. The first
+    // `turned` of all points come in turned order, the one with the number `begin` first.
+    Picked picked(std::size_t begin, std::size_t turned) const {
+        Picked picked;
+        std::vector<PointsNear> taken(layers_.size(), PointsNear(apart_m_));
+        for (std::size_t n = 0; n < points_.size(); ++n) {
+            const Point& point = points_[n < turned ? (begin + n) % turned : n];
+            const Vec3& at = point.images[0].at;
+            if (!apart(point.images) || taken[point.layer].any(at, least_m())) continue;
+            for (const Symmetry::Image& image : point.images) {
+                taken[image.layer].add(image.at);
+                picked.push_back({point.layer, point.number, image});
+            }
+        }
+        return picked;
+    }
+
+    // Markers at these places, by layer, with their share of the layer's volume.
+    std::vector<PlacedMarker> markers(const Picked& picked) const {
+        const structure::PointLocator locator(mesh_);
+        std::vector<PlacedMarker> all;
+        for (std::size_t i = 0; i < layers_.size(); ++i) {
+            std::vector<PlacedMarker> kept;
+            for (const Pick& p : picked) {
+                if (p.image.layer != i) continue;
+                kept.push_back(layers_[p.layer][p.point]);
+                kept.back().point = locator.nearest(p.image.at);
+            }
+            share_volume(kept, mesh_, layers_[i], apart_m_);
+            all.insert(all.end(), kept.begin(), kept.end());
+        }
+        return all;
+    }
+
+  private:
+    struct Point {
+        std::size_t layer, number;
+        std::vector<Symmetry::Image> images;  // the point itself first
+    };
+    // Points of a regular mesh are often apart_m from each other but for rounding.
+    double least_m() const { return (1 - 1e-9) * apart_m_; }
+
+    bool apart(std::span<const Symmetry::Image> images) const {
+        return std::ranges::all_of(images.subspan(1), [&](const Symmetry::Image& image) {
+            return image.layer != images[0].layer ||
+                   structure::distance_m(image.at, images[0].at) >= least_m();
+        });
+    }
+
+    std::span<const std::vector<PlacedMarker>> layers_;
+    const structure::Mesh& mesh_;
+    double apart_m_;
+    std::vector<Point> points_;
+};
+
 }  // namespace
 
 void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
@@ -202,38 +279,30 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
 
 std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> layers,
                                   const structure::Mesh& mesh, double apart_m,
-                                  double fine_m, bool symmetric) {
-    Layers places(layers.size());
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        for (const PlacedMarker& p : layers[i])
-            places[i].push_back(structure::position(mesh, p.point));
-    const Symmetry symmetry(places, fine_m, symmetric);
-    const structure::PointLocator locator(mesh);
-    // Points of a regular mesh are often apart_m from each other but for rounding.
-    const double least_m = (1 - 1e-9) * apart_m;
-    std::vector<PointsNear> taken(layers.size(), PointsNear(apart_m));
-    std::vector<std::vector<PlacedMarker>> kept(layers.size());
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        for (std::size_t p = 0; p < layers[i].size(); ++p) {
-            const auto images = symmetry.images(symmetry.fixed(places[i][p]), i);
-            const bool free = std::all_of(
-                images.begin() + 1, images.end(), [&](const Symmetry::Image& image) {
-                    return image.layer != i ||
-                           structure::distance_m(image.at, images[0].at) >= least_m;
-                });
-            if (!free || taken[i].any(images[0].at, least_m)) continue;
-            for (const Symmetry::Image& image : images) {
-                taken[image.layer].add(image.at);
-                PlacedMarker& marker = kept[image.layer].emplace_back(layers[i][p]);
-                marker.point = locator.nearest(image.at);
-            }
-        }
-    std::vector<PlacedMarker> all;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        share_volume(kept[i], mesh, layers[i], apart_m);
-        all.insert(all.end(), kept[i].begin(), kept[i].end());
+                                  double fine_m) {
+    const ThinnedPoints points(layers, mesh, apart_m, fine_m);
+    return points.markers(points.picked(0, 0));
+}
+
+std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
+                                        const std::vector<PlacedMarker>& inside,
+                                        const structure::Mesh& mesh, double apart_m,
+                                        double fine_m) {
+    std::vector<std::vector<PlacedMarker>> all{shell};
+    all[0].insert(all[0].end(), inside.begin(), inside.end());
+    const ThinnedPoints points(all, mesh, apart_m, fine_m);
+    // A row closes differently when it begins elsewhere.
+    constexpr std::size_t beginnings = 16;
+    const auto in_shell = [&](const ThinnedPoints::Picked& picked) {
+        return std::ranges::count_if(
+            picked, [&](const auto& p) { return p.point < shell.size(); });
+    };
+    ThinnedPoints::Picked best;
+    for (std::size_t i = 0; i < beginnings; ++i) {
+        auto picked = points.picked(i * shell.size() / beginnings, shell.size());
+        if (in_shell(picked) > in_shell(best)) best = std::move(picked);
     }
-    return all;
+    return points.markers(best);
 }
 
 }  // namespace magfsi::bodies

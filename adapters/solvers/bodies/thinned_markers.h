@@ -28,6 +28,14 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
 // are moved onto it.
 std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> layers,
                                   const structure::Mesh& mesh, double apart_m,
-                                  double fine_m, bool symmetric = true);
+                                  double fine_m);
+
+// The same of a shell and of the points inside, which come after it. With symmetries a
+// row may close with gaps that are nearly wide enough for one marker more: of 16 points
+// where it may begin, the one is taken that gives the densest shell, which leaks least.
+std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
+                                        const std::vector<PlacedMarker>& inside,
+                                        const structure::Mesh& mesh, double apart_m,
+                                        double fine_m);
 
 }  // namespace magfsi::bodies
