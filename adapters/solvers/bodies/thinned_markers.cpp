@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <ranges>
 
@@ -21,21 +20,22 @@ class PointsNear {
 
     void add(const Vec3& x) { bins_[bin(x, 0)].push_back(x); }
 
-    // True if a point is nearer than this.
-    bool any(const Vec3& x, double within_m) const {
-        const auto near = [&](const Vec3& other) {
-            return structure::distance_m(other, x) < within_m;
-        };
+    // Distance of the nearest point; within_m if none is nearer.
+    double nearest_m(const Vec3& x, double within_m) const {
         // Only bins that the box of this half width meets: one for a small distance.
         const Bin low = bin(x, -within_m), high = bin(x, within_m);
         for (long i = low[0]; i <= high[0]; ++i)
             for (long j = low[1]; j <= high[1]; ++j)
                 for (long k = low[2]; k <= high[2]; ++k) {
                     const auto found = bins_.find({i, j, k});
-                    if (found != bins_.end() && std::ranges::any_of(found->second, near))
-                        return true;
+                    if (found == bins_.end()) continue;
+                    for (const Vec3& other : found->second)
+                        within_m = std::min(within_m, structure::distance_m(other, x));
                 }
-        return false;
+        return within_m;
+    }
+    bool any(const Vec3& x, double within_m) const {
+        return nearest_m(x, within_m) < within_m;
     }
 
   private:
@@ -186,23 +186,48 @@ class ThinnedPoints {
         std::size_t layer, point;  // the dense point, by its number in its layer
         Symmetry::Image image;
     };
-    using Picked = std::vector<Pick>;
+    struct Picked {
+        std::vector<Pick> all;
+        std::vector<PointsNear> taken;  // by layer
+    };
 
-    // Picks in turn the points that are apart_m from all picked before. The first
-    // `turned` of all points come in turned order, the one with the number `begin` first.
-    Picked picked(std::size_t begin, std::size_t turned) const {
-        Picked picked;
-        std::vector<PointsNear> taken(layers_.size(), PointsNear(apart_m_));
-        for (std::size_t n = 0; n < points_.size(); ++n) {
-            const Point& point = points_[n < turned ? (begin + n) % turned : n];
+    Picked none() const {
+        return {{}, std::vector<PointsNear>(layers_.size(), PointsNear(apart_m_))};
+    }
+    std::size_t size() const { return points_.size(); }
+
+    // Picks in turn those of `count` points from the number `first` on that are apart_m
+    // from all picked before; the first to come is the one with the number `begin`.
+    void pick(Picked& picked, std::size_t first, std::size_t count,
+              std::size_t begin) const {
+        for (std::size_t n = 0; n < count; ++n) {
+            const Point& point = points_[first + (begin - first + n) % count];
             const Vec3& at = point.images[0].at;
-            if (!apart(point.images) || taken[point.layer].any(at, least_m())) continue;
+            if (!apart(point.images) || picked.taken[point.layer].any(at, least_m()))
+                continue;
             for (const Symmetry::Image& image : point.images) {
-                taken[image.layer].add(image.at);
-                picked.push_back({point.layer, point.number, image});
+                picked.taken[image.layer].add(image.at);
+                picked.all.push_back({point.layer, point.number, image});
             }
         }
-        return picked;
+    }
+
+    // The same with the beginning that leaves the smallest gaps, of 16: a row of picked
+    // points closes differently when it begins elsewhere.
+    Picked picked_evenly(const Picked& before, std::size_t first,
+                         std::size_t count) const {
+        constexpr std::size_t beginnings = 16;
+        Picked best = before;
+        double least_m2 = INFINITY;
+        for (std::size_t i = 0; i < std::min(beginnings, count); ++i) {
+            Picked picked = before;
+            pick(picked, first, count, first + i * count / beginnings);
+            const double gaps = gaps_m2(picked, first, count);
+            if (gaps >= least_m2) continue;
+            least_m2 = gaps;
+            best = std::move(picked);
+        }
+        return best;
     }
 
     // Markers at these places, by layer, with their share of the layer's volume.
@@ -211,7 +236,7 @@ class ThinnedPoints {
         std::vector<PlacedMarker> all;
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             std::vector<PlacedMarker> kept;
-            for (const Pick& p : picked) {
+            for (const Pick& p : picked.all) {
                 if (p.image.layer != i) continue;
                 kept.push_back(layers_[p.layer][p.point]);
                 kept.back().point = locator.nearest(p.image.at);
@@ -223,6 +248,15 @@ class ThinnedPoints {
     }
 
   private:
+    // Mean square of the distance of these points to the nearest picked one.
+    double gaps_m2(const Picked& picked, std::size_t first, std::size_t count) const {
+        double sum_m2 = 0;
+        for (const Point& point : std::span(points_).subspan(first, count))
+            sum_m2 += std::pow(
+                picked.taken[point.layer].nearest_m(point.images[0].at, 2 * apart_m_), 2);
+        return sum_m2 / static_cast<double>(count);
+    }
+
     struct Point {
         std::size_t layer, number;
         std::vector<Symmetry::Image> images;  // the point itself first
@@ -281,7 +315,9 @@ std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> lay
                                   const structure::Mesh& mesh, double apart_m,
                                   double fine_m) {
     const ThinnedPoints points(layers, mesh, apart_m, fine_m);
-    return points.markers(points.picked(0, 0));
+    auto picked = points.none();
+    points.pick(picked, 0, points.size(), 0);
+    return points.markers(picked);
 }
 
 std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
@@ -291,18 +327,8 @@ std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
     std::vector<std::vector<PlacedMarker>> all{shell};
     all[0].insert(all[0].end(), inside.begin(), inside.end());
     const ThinnedPoints points(all, mesh, apart_m, fine_m);
-    // A row closes differently when it begins elsewhere.
-    constexpr std::size_t beginnings = 16;
-    const auto in_shell = [&](const ThinnedPoints::Picked& picked) {
-        return std::ranges::count_if(
-            picked, [&](const auto& p) { return p.point < shell.size(); });
-    };
-    ThinnedPoints::Picked best;
-    for (std::size_t i = 0; i < beginnings; ++i) {
-        auto picked = points.picked(i * shell.size() / beginnings, shell.size());
-        if (in_shell(picked) > in_shell(best)) best = std::move(picked);
-    }
-    return points.markers(best);
+    const auto of_shell = points.picked_evenly(points.none(), 0, shell.size());
+    return points.markers(points.picked_evenly(of_shell, shell.size(), inside.size()));
 }
 
 }  // namespace magfsi::bodies

@@ -30,9 +30,8 @@ std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> lay
                                   const structure::Mesh& mesh, double apart_m,
                                   double fine_m);
 
-// The same of a shell and of the points inside, which come after it. With symmetries a
-// row may close with gaps that are nearly wide enough for one marker more: of 16 points
-// where it may begin, the one is taken that gives the densest shell, which leaks least.
+// The same of a shell and then of the points inside, each without the wide gaps that
+// symmetries may leave where a row closes.
 std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
                                         const std::vector<PlacedMarker>& inside,
                                         const structure::Mesh& mesh, double apart_m,
