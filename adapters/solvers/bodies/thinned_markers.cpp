@@ -196,6 +196,18 @@ class ThinnedPoints {
     }
     std::size_t size() const { return points_.size(); }
 
+    // Number of points that would be picked alone, each without its images.
+    std::size_t count_alone(std::size_t first, std::size_t count) const {
+        PointsNear taken(apart_m_);
+        std::size_t picked = 0;
+        for (const Point& point : std::span(points_).subspan(first, count)) {
+            if (taken.any(point.images[0].at, least_m())) continue;
+            taken.add(point.images[0].at);
+            ++picked;
+        }
+        return picked;
+    }
+
     // Picks in turn those of `count` points from the number `first` on that are apart_m
     // from all picked before; the first to come is the one with the number `begin`.
     void pick(Picked& picked, std::size_t first, std::size_t count,
@@ -320,15 +332,17 @@ std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> lay
     return points.markers(picked);
 }
 
-std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
-                                        const std::vector<PlacedMarker>& inside,
-                                        const structure::Mesh& mesh, double apart_m,
-                                        double fine_m) {
+ThinnedShell thinned_shell(const std::vector<PlacedMarker>& shell,
+                           const std::vector<PlacedMarker>& inside,
+                           const structure::Mesh& mesh, double apart_m, double fine_m) {
     std::vector<std::vector<PlacedMarker>> all{shell};
     all[0].insert(all[0].end(), inside.begin(), inside.end());
     const ThinnedPoints points(all, mesh, apart_m, fine_m);
     const auto of_shell = points.picked_evenly(points.none(), 0, shell.size());
-    return points.markers(points.picked_evenly(of_shell, shell.size(), inside.size()));
+    const auto of_all = points.picked_evenly(of_shell, shell.size(), inside.size());
+    const double alone = static_cast<double>(points.count_alone(0, shell.size()));
+    return {points.markers(of_all),
+            std::sqrt(alone / static_cast<double>(of_shell.all.size()))};
 }
 
 }  // namespace magfsi::bodies

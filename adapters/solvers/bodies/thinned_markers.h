@@ -32,9 +32,13 @@ std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> lay
 
 // The same of a shell and then of the points inside, each without the wide gaps that
 // symmetries may leave where a row closes.
-std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
-                                        const std::vector<PlacedMarker>& inside,
-                                        const structure::Mesh& mesh, double apart_m,
-                                        double fine_m);
+struct ThinnedShell {
+    std::vector<PlacedMarker> markers;
+    // Mean distance of the shell's markers over that of points picked without images.
+    double wider;
+};
+ThinnedShell thinned_shell(const std::vector<PlacedMarker>& shell,
+                           const std::vector<PlacedMarker>& inside,
+                           const structure::Mesh& mesh, double apart_m, double fine_m);
 
 }  // namespace magfsi::bodies
