@@ -192,48 +192,27 @@ std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
 }
 
 // Markers of any other body: an even shell below its wet surface, then the volume inside.
-// The depth is that of a shell as dense as it comes out.
 std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
                                     std::span<const structure::SurfaceQuad> surface,
                                     const KernelReach& reach) {
     const double grid_m = reach.grid_m, fine_m = 0.125 * grid_m;
+    const double depth_m =
+        reach.depth_m(fitted::thinned_apart * grid_m) + fitted::beyond_shell * grid_m;
     const structure::PointLocator locator(mesh);
-    const auto dense = structure::surface_points(mesh, surface, fine_m);
+    std::vector<PlacedMarker> points;
+    for (const auto& p : structure::surface_points(mesh, surface, fine_m)) {
+        points.push_back(
+            {locator.nearest(structure::position(mesh, p.point) - depth_m * p.normal),
+             0});
+    }
+    draw_back(points, mesh, surface, depth_m - fine_m, fine_m);
     std::vector<PlacedMarker> volume;
     for (const auto& p : structure::volume_points(mesh, 4 * fine_m))
         volume.push_back({p.point, p.volume_m3});
-    const auto placed = [&](double wider) {
-        const double depth_m = reach.depth_m(wider * fitted::thinned_apart * grid_m) +
-                               fitted::beyond_shell * grid_m;
-        std::vector<PlacedMarker> points, inside = volume;
-        for (const auto& p : dense)
-            points.push_back(
-                {locator.nearest(structure::position(mesh, p.point) - depth_m * p.normal),
-                 0});
-        draw_back(points, mesh, surface, depth_m - fine_m, fine_m);
-        draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
-        return thinned_shell(points, inside, mesh, fitted::thinned_to * grid_m, fine_m);
-    };
-    // At another depth the shell comes out otherwise: the trial nearest to what it began
-    // with.
-    constexpr int most_trials = 6;
-    std::vector<PlacedMarker> markers;
-    double wider = 1, least = INFINITY;
-    for (int trial = 0; trial < most_trials && least > 0.01; ++trial) {
-        ThinnedShell shell = placed(wider);
-        const double off = std::abs(shell.wider - wider);
-        if (getenv("CNT")) {
-            FILE* f = fopen("/tmp/cnt.log", "a");
-            fprintf(f, "%.3f -> %.3f depth %.3f n %zu\n", wider, shell.wider,
-                    reach.depth_m(wider * fitted::thinned_apart * grid_m) / grid_m,
-                    shell.markers.size());
-            fclose(f);
-        }
-        wider = shell.wider;
-        if (off >= least) continue;
-        least = off;
-        markers = std::move(shell.markers);
-    }
+    std::vector<PlacedMarker> inside = volume;
+    draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
+    auto markers =
+        thinned_shell(points, inside, mesh, fitted::thinned_to * grid_m, fine_m);
     // The markers' volumes must add up to the body's: with more, balls diverge at
     // relaxation times above 1.
     share_volume(markers, mesh, volume, grid_m);
