@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <variant>
 
 #include "adapters/scene/effective.h"
@@ -191,6 +192,36 @@ std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
     return thinned(dense, mesh, apart_m, fine_m);
 }
 
+// Nodes of a lattice around the middle of the body that lie in it. Points of the mesh
+// itself would lie otherwise in every mesh of the same body, and so would the few markers
+// in a body six cells across; its drag changed by 3 %.
+std::vector<PlacedMarker> lattice_in(const structure::Mesh& mesh,
+                                     std::span<const PlacedMarker> volume, double apart_m,
+                                     double node_m) {
+    const structure::Bounds box = structure::bounds(mesh.nodes);
+    const Vec3 middle = 0.5 * (box.low_m + box.high_m);
+    // Every node in the body is as near to one of its points as these are apart.
+    const auto near = static_cast<long>(std::ceil(0.5 * apart_m / node_m));
+    std::set<std::array<long, 3>> nodes;
+    for (const PlacedMarker& p : volume) {
+        const Vec3 x = (1 / node_m) * (structure::position(mesh, p.point) - middle);
+        for (long i = -near; i <= near; ++i)
+            for (long j = -near; j <= near; ++j)
+                for (long k = -near; k <= near; ++k)
+                    nodes.insert({std::lround(x[0]) + i, std::lround(x[1]) + j,
+                                  std::lround(x[2]) + k});
+    }
+    const structure::PointLocator locator(mesh);
+    std::vector<PlacedMarker> inside;
+    for (const auto& [i, j, k] : nodes) {
+        const Vec3 x = middle + node_m * Vec3{1.0 * i, 1.0 * j, 1.0 * k};
+        const structure::MaterialPoint point = locator.nearest(x);
+        if (structure::distance_m(structure::position(mesh, point), x) < 1e-6 * node_m)
+            inside.push_back({point, 0});
+    }
+    return inside;
+}
+
 // Markers of any other body: an even shell below its wet surface, then the volume inside.
 std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
                                     std::span<const structure::SurfaceQuad> surface,
@@ -209,7 +240,7 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
     std::vector<PlacedMarker> volume;
     for (const auto& p : structure::volume_points(mesh, 4 * fine_m))
         volume.push_back({p.point, p.volume_m3});
-    std::vector<PlacedMarker> inside = volume;
+    std::vector<PlacedMarker> inside = lattice_in(mesh, volume, 4 * fine_m, 2 * fine_m);
     draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
     auto markers =
         thinned_shell(points, inside, mesh, fitted::thinned_to * grid_m, fine_m);

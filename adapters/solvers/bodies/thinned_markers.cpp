@@ -3,172 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <ranges>
 
 #include "adapters/solvers/bodies/marker_surface.h"
+#include "adapters/solvers/bodies/symmetry_of_points.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"
 
 namespace magfsi::bodies {
 namespace {
-
-// Points sorted into cubic bins, for searches within a distance of at most one bin.
-class PointsNear {
-  public:
-    explicit PointsNear(double size_m) : size_m_(size_m) {}
-
-    void add(const Vec3& x) { bins_[bin(x, 0)].push_back(x); }
-
-    // Distance of the nearest point; within_m if none is nearer.
-    double nearest_m(const Vec3& x, double within_m) const {
-        // Only bins that the box of this half width meets: one for a small distance.
-        const Bin low = bin(x, -within_m), high = bin(x, within_m);
-        for (long i = low[0]; i <= high[0]; ++i)
-            for (long j = low[1]; j <= high[1]; ++j)
-                for (long k = low[2]; k <= high[2]; ++k) {
-                    const auto found = bins_.find({i, j, k});
-                    if (found == bins_.end()) continue;
-                    for (const Vec3& other : found->second)
-                        within_m = std::min(within_m, structure::distance_m(other, x));
-                }
-        return within_m;
-    }
-    bool any(const Vec3& x, double within_m) const {
-        return nearest_m(x, within_m) < within_m;
-    }
-
-  private:
-    using Bin = std::array<long, 3>;
-    Bin bin(const Vec3& x, double moved_m) const {
-        Bin b;
-        for (std::size_t d = 0; d < 3; ++d)
-            b[d] = static_cast<long>(std::floor((x[d] + moved_m) / size_m_));
-        return b;
-    }
-    double size_m_;
-    std::map<Bin, std::vector<Vec3>> bins_;
-};
-
-// A mirror or quarter turn of the axes, or several in turn, about a centre.
-struct Operation {
-    std::array<std::size_t, 3> axis;  // axis whose coordinate becomes the first, ...
-    Vec3 sign;
-
-    Vec3 operator()(const Vec3& x, const Vec3& centre) const {
-        Vec3 image;
-        for (std::size_t d = 0; d < 3; ++d)
-            image[d] = centre[d] + sign[d] * (x[axis[d]] - centre[axis[d]]);
-        return image;
-    }
-};
-
-// The 48 operations of a cube; the first leaves everything as it is.
-std::vector<Operation> of_cube() {
-    std::vector<Operation> all;
-    std::array<std::size_t, 3> axis{0, 1, 2};
-    do {
-        for (int signs = 0; signs < 8; ++signs)
-            all.push_back({axis,
-                           {signs & 1 ? -1.0 : 1.0, signs & 2 ? -1.0 : 1.0,
-                            signs & 4 ? -1.0 : 1.0}});
-    } while (std::ranges::next_permutation(axis).found);
-    return all;
-}
-
-// Places of the dense points, by layer.
-using Layers = std::vector<std::vector<Vec3>>;
-
-// The operations about the middle of all points that leave the set of them as it is.
-class Symmetry {
-  public:
-    Symmetry(const Layers& layers, double fine_m) : fine_m_(fine_m) {
-        const auto places = std::views::join(layers);
-        Vec3 low = *places.begin(), high = low;
-        for (const Vec3& x : places) {
-            low = lower(low, x);
-            high = higher(high, x);
-        }
-        centre_ = 0.5 * (low + high);
-        std::vector<PointsNear> sets;
-        for (const auto& layer : layers) {
-            sets.emplace_back(fine_m);
-            for (const Vec3& x : layer) sets.back().add(x);
-        }
-        // Meshes are files of decimal numbers, some with seven digits.
-        const double same_m = 1e-6 * norm(high - low);
-        for (const Operation& operation : of_cube()) add(operation, layers, sets, same_m);
-        // Of all operations of a cube those about z are enough: with 48 images of a point
-        // the markers of a ball six cells across are two or three points, whose places in
-        // the grid change its drag by 3 %.
-        if (kept_.size() == 48)
-            std::erase_if(kept_,
-                          [](const Kept& kept) { return kept.operation.axis[2] != 2; });
-    }
-
-    // The point itself; its image if it is so near to a mirror or an axis that no other
-    // point lies between.
-    Vec3 fixed(Vec3 x) const {
-        for (int turn = 0; turn < most_turns; ++turn) {
-            Vec3 sum{};
-            int count = 0;
-            for (const auto& [operation, to] : kept_) {
-                const Vec3 image = operation(x, centre_);
-                if (!(structure::distance_m(image, x) < 1.5 * fine_m_)) continue;
-                sum += image;
-                ++count;
-            }
-            const Vec3 mean = sum / static_cast<double>(count);
-            if (structure::distance_m(mean, x) < same * fine_m_) return mean;
-            x = mean;
-        }
-        return x;
-    }
-
-    struct Image {
-        Vec3 at;
-        std::size_t layer;
-    };
-    // The different images of a point of a layer, itself first.
-    std::vector<Image> images(const Vec3& x, std::size_t layer) const {
-        std::vector<Image> all;
-        for (const auto& [operation, to] : kept_) {
-            const Vec3 at = operation(x, centre_);
-            if (std::ranges::none_of(all, [&](const Image& other) {
-                    return structure::distance_m(other.at, at) < same * fine_m_;
-                }))
-                all.push_back({at, to[layer]});
-        }
-        return all;
-    }
-
-  private:
-    void add(const Operation& operation, const Layers& layers,
-             const std::vector<PointsNear>& sets, double same_m) {
-        std::vector<std::size_t> to(layers.size(), 0);
-        for (std::size_t from = 0; from < layers.size(); ++from) {
-            const auto lands_in = [&](const PointsNear& set) {
-                return std::ranges::all_of(layers[from], [&](const Vec3& x) {
-                    return set.any(operation(x, centre_), same_m);
-                });
-            };
-            const auto found = std::ranges::find_if(sets, lands_in);
-            if (found == sets.end()) return;
-            to[from] = found - sets.begin();
-        }
-        kept_.push_back({operation, std::move(to)});
-    }
-
-    static constexpr int most_turns = 100;
-    static constexpr double same = 1e-9;
-    struct Kept {
-        Operation operation;
-        std::vector<std::size_t> to;  // layer onto which each layer falls
-    };
-    double fine_m_;
-    Vec3 centre_;
-    std::vector<Kept> kept_;  // the identity first
-};
 
 // Dense points that are to be thinned out, with their images.
 class ThinnedPoints {
@@ -187,13 +29,9 @@ class ThinnedPoints {
                     {i, p, symmetry.images(symmetry.fixed(places[i][p]), i)});
     }
 
-    // A picked point, or an image of one.
-    struct Pick {
-        std::size_t layer, point;  // the dense point, by its number in its layer
-        Symmetry::Image image;
-    };
+    // Picked points by their numbers, each with all its images.
     struct Picked {
-        std::vector<Pick> all;
+        std::vector<std::size_t> points;
         std::vector<PointsNear> taken;  // by layer
     };
 
@@ -207,25 +45,24 @@ class ThinnedPoints {
     void pick(Picked& picked, std::size_t first, std::size_t count,
               std::size_t begin) const {
         for (std::size_t n = 0; n < count; ++n) {
-            const Point& point = points_[first + (begin - first + n) % count];
-            const Vec3& at = point.images[0].at;
-            if (!apart(point.images) || picked.taken[point.layer].any(at, least_m()))
-                continue;
-            for (const Symmetry::Image& image : point.images) {
-                picked.taken[image.layer].add(image.at);
-                picked.all.push_back({point.layer, point.number, image});
-            }
+            const std::size_t number = first + (begin - first + n) % count;
+            if (!free(picked, number)) continue;
+            take(picked, number);
+            picked.points.push_back(number);
         }
     }
 
-    // The same with the beginning that leaves the smallest gaps, of 16: a row of picked
-    // points closes differently when it begins elsewhere.
+    // The same with the beginning that leaves the smallest gaps: a row of picked points
+    // closes differently when it begins elsewhere. Up to 16 are tried, fewer in large
+    // bodies, where a row has many points.
     Picked picked_evenly(const Picked& before, std::size_t first,
                          std::size_t count) const {
-        constexpr std::size_t beginnings = 16;
+        if (count == 0) return before;
+        const std::size_t beginnings = std::clamp<std::size_t>(
+            most_tried / count, 1, std::min<std::size_t>(16, count));
         Picked best = before;
         double least_m2 = INFINITY;
-        for (std::size_t i = 0; i < std::min(beginnings, count); ++i) {
+        for (std::size_t i = 0; i < beginnings; ++i) {
             Picked picked = before;
             pick(picked, first, count, first + i * count / beginnings);
             const double gaps = gaps_m2(picked, first, count);
@@ -236,17 +73,40 @@ class ThinnedPoints {
         return best;
     }
 
+    // Moves all picked points, a few times and as far as they stay apart_m from each
+    // other, to the middle of those of the first `count` points that are nearest to them
+    // (Lloyd's algorithm).
+    void even_out(Picked& picked, std::size_t count) const {
+        constexpr int turns = 20;
+        std::vector<Vec3> at;
+        for (const Point& point : std::span(points_).first(count))
+            at.push_back(point.images[0].at);
+        for (int turn = 0; turn < turns; ++turn) {
+            const auto cells = cells_of(picked, at);
+            bool moved = false;
+            for (std::size_t i = 0; i < picked.points.size(); ++i) {
+                const std::size_t to =
+                    moved_to_middle(picked, picked.points[i], cells[i], at);
+                moved = moved || to != picked.points[i];
+                picked.points[i] = to;
+            }
+            if (!moved) return;
+        }
+    }
+
     // Markers at these places, by layer, with their share of the layer's volume.
     std::vector<PlacedMarker> markers(const Picked& picked) const {
         const structure::PointLocator locator(mesh_);
         std::vector<PlacedMarker> all;
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             std::vector<PlacedMarker> kept;
-            for (const Pick& p : picked.all) {
-                if (p.image.layer != i) continue;
-                kept.push_back(layers_[p.layer][p.point]);
-                kept.back().point = locator.nearest(p.image.at);
-            }
+            for (const std::size_t number : picked.points)
+                for (const Symmetry::Image& image : points_[number].images) {
+                    if (image.layer != i) continue;
+                    kept.push_back(
+                        layers_[points_[number].layer][points_[number].number]);
+                    kept.back().point = locator.nearest(image.at);
+                }
             share_volume(kept, mesh_, layers_[i], apart_m_);
             all.insert(all.end(), kept.begin(), kept.end());
         }
@@ -254,13 +114,74 @@ class ThinnedPoints {
     }
 
   private:
+    // Points that are looked at for the best of several beginnings.
+    static constexpr std::size_t most_tried = 400000;
+
     // Mean square of the distance of these points to the nearest picked one.
     double gaps_m2(const Picked& picked, std::size_t first, std::size_t count) const {
         double sum_m2 = 0;
-        for (const Point& point : std::span(points_).subspan(first, count))
-            sum_m2 += std::pow(
-                picked.taken[point.layer].nearest_m(point.images[0].at, 2 * apart_m_), 2);
+        for (const Point& point : std::span(points_).subspan(first, count)) {
+            const PointsNear& taken = picked.taken[point.layer];
+            const Vec3& at = point.images[0].at;
+            double gap_m = taken.nearest_m(at, apart_m_);
+            if (!(gap_m < apart_m_)) gap_m = taken.nearest_m(at, 2 * apart_m_);
+            sum_m2 += gap_m * gap_m;
+        }
         return sum_m2 / static_cast<double>(count);
+    }
+
+    // By picked point: the numbers of the places that are nearest to it, and to how many
+    // others alike.
+    struct Near {
+        std::size_t number, alike;
+    };
+    std::vector<std::vector<Near>> cells_of(const Picked& picked,
+                                            std::span<const Vec3> at) const {
+        const structure::PointLocator locator(mesh_);
+        std::vector<PlacedMarker> markers;
+        std::vector<std::size_t> owner;  // picked.points.size() of an image
+        for (std::size_t i = 0; i < picked.points.size(); ++i)
+            for (const Symmetry::Image& image : points_[picked.points[i]].images) {
+                const bool itself = &image == points_[picked.points[i]].images.data();
+                owner.push_back(itself ? i : picked.points.size());
+                markers.push_back({locator.nearest(image.at), 0});
+            }
+        std::vector<std::vector<Near>> cells(picked.points.size() + 1);
+        const auto nearest = nearest_markers(markers, mesh_, at, apart_m_);
+        for (std::size_t n = 0; n < at.size(); ++n)
+            for (const std::size_t marker : nearest[n])
+                cells[owner[marker]].push_back({n, nearest[n].size()});
+        return cells;
+    }
+
+    // The place of its cell that is nearest to the middle of the cell and free, with as
+    // many images; takes it instead of the one before.
+    std::size_t moved_to_middle(Picked& picked, std::size_t number,
+                                std::span<const Near> cell,
+                                std::span<const Vec3> at) const {
+        Vec3 sum{};
+        double weight = 0;
+        for (const auto& [n, alike] : cell) {
+            sum += (1.0 / alike) * at[n];
+            weight += 1.0 / alike;
+        }
+        if (weight == 0) return number;
+        const Vec3 middle = sum / weight;
+        for (const Symmetry::Image& image : points_[number].images)
+            picked.taken[image.layer].remove(image.at);
+        std::size_t best = number;
+        double nearest_m = structure::distance_m(points_[number].images[0].at, middle);
+        for (const auto& [n, alike] : cell) {
+            const double distance_m = structure::distance_m(at[n], middle);
+            if (distance_m >= nearest_m - 1e-9 * apart_m_ ||
+                points_[n].images.size() != points_[number].images.size() ||
+                !free(picked, n))
+                continue;
+            best = n;
+            nearest_m = distance_m;
+        }
+        take(picked, best);
+        return best;
     }
 
     struct Point {
@@ -269,6 +190,16 @@ class ThinnedPoints {
     };
     // Points of a regular mesh are often apart_m from each other but for rounding.
     double least_m() const { return (1 - 1e-9) * apart_m_; }
+
+    bool free(const Picked& picked, std::size_t number) const {
+        const Point& point = points_[number];
+        return apart(point.images) &&
+               !picked.taken[point.layer].any(point.images[0].at, least_m());
+    }
+    void take(Picked& picked, std::size_t number) const {
+        for (const Symmetry::Image& image : points_[number].images)
+            picked.taken[image.layer].add(image.at);
+    }
 
     bool apart(std::span<const Symmetry::Image> images) const {
         return std::ranges::all_of(images.subspan(1), [&](const Symmetry::Image& image) {
@@ -333,7 +264,8 @@ std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
     std::vector<std::vector<PlacedMarker>> all{shell};
     all[0].insert(all[0].end(), inside.begin(), inside.end());
     const ThinnedPoints points(all, mesh, apart_m, fine_m);
-    const auto of_shell = points.picked_evenly(points.none(), 0, shell.size());
+    auto of_shell = points.picked_evenly(points.none(), 0, shell.size());
+    points.even_out(of_shell, shell.size());
     return points.markers(points.picked_evenly(of_shell, shell.size(), inside.size()));
 }
 
