@@ -105,10 +105,11 @@ std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
 }
 
 // Markers of a block: rows along its two longer axes, layers across the thinnest. Their
-// surfaces are not set here.
+// surfaces are not set here. ring: it is a ring, straightened along x.
 std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFaces& dry,
                                         const KernelReach& reach,
-                                        const structure::Continues& continues) {
+                                        const structure::Continues& continues,
+                                        bool ring = false) {
     const structure::Bounds block = structure::bounds(mesh.nodes);
     const Vec3 size = block.extent_m();
     std::size_t thin = 0;  // never along an axis on which the body goes on
@@ -124,6 +125,11 @@ std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFa
                       : rows_along({low_m, high_m, wet(surface, mesh, d, low_m, slack_m),
                                     wet(surface, mesh, d, high_m, slack_m)},
                                    reach, size[thin]);
+    }
+    if (ring) {
+        // As many in each quarter, so that they keep its mirrors and quarter turns.
+        const std::size_t in_quarter = (rows[0].at_m.size() + 3) / 4;
+        rows[0] = even_rows(block.low_m[0], block.high_m[0], size[0] / (4 * in_quarter));
     }
     const structure::PointLocator locator(mesh);
     const double volume_m3 = rows[0].apart_m * rows[1].apart_m * rows[2].apart_m;
@@ -155,8 +161,8 @@ std::vector<PlacedMarker> in_bent_block(const scene::Body& body,
     const structure::Mesh straight = structure::box_mesh(block);
     const bool ring = mesh.nodes.size() < straight.nodes.size();
     const structure::Continues continues{ring, false, false};
-    auto markers =
-        rows_in_block(straight, DryFaces(body, straight, continues), reach, continues);
+    auto markers = rows_in_block(straight, DryFaces(body, straight, continues), reach,
+                                 continues, ring);
     for (PlacedMarker& marker : markers)
         marker.point.node = mesh.elements[marker.point.element];
     return markers;

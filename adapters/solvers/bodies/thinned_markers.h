@@ -23,8 +23,7 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
 // Picks in turn the points that are at least apart_m from all picked before in the same
 // layer; each gets the volume of the layer's points that are nearest to it. A point is
 // picked together with its images under those mirrors and quarter turns of the axes that
-// leave all points as they are, so that the markers have every such symmetry of the body
-// (those about z of a body that has all of a cube's).
+// leave all points as they are, so that the markers have every such symmetry of the body.
 // layers: dense points, fine_m apart; none is empty. Points nearer than that to a mirror
 // are moved onto it.
 std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> layers,
@@ -32,7 +31,7 @@ std::vector<PlacedMarker> thinned(std::span<const std::vector<PlacedMarker>> lay
                                   double fine_m);
 
 // The same of a shell and then of the points inside, each without the wide gaps that
-// symmetries may leave where a row closes.
+// symmetries may leave where a row closes; the shell's are moved to even distances.
 std::vector<PlacedMarker> thinned_shell(const std::vector<PlacedMarker>& shell,
                                         const std::vector<PlacedMarker>& inside,
                                         const structure::Mesh& mesh, double apart_m,

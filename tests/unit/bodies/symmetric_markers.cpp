@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "adapters/solvers/bodies/marker_placement.h"
 #include "structure/mesh/block_mesh.h"
+#include "structure/mesh/swept_mesh.h"
 
 namespace magfsi::bodies {
 namespace {
@@ -15,15 +17,16 @@ namespace {
 using structure::Mesh;
 constexpr double grid_m = 1e-4;
 
-// A mesh from a file, around the middle of its box.
-std::vector<PlacedMarker> markers_of(const Mesh& mesh) {
+// By default a mesh from a file, around the middle of its box.
+std::vector<PlacedMarker> markers_of(
+    const Mesh& mesh, const decltype(scene::Body::mesh)& from = structure::MeshFile{}) {
     scene::Scene scene;
     scene.fluid.emplace().spacing_m = grid_m;
     scene.fluid->box_m = {1e-2, 1e-2, 1e-2};
     scene.coupling.emplace().immersed_boundary.forcing = coupler::Forcing::no_slip;
     scene::Body& body = scene.bodies.emplace_back();
     body.name = "body";
-    body.mesh = structure::MeshFile{};
+    body.mesh = from;
     body.initial.position_m = {5e-3, 5e-3, 5e-3};
     return place_markers(scene, 0, mesh);
 }
@@ -117,6 +120,9 @@ Vec3 mirror(const Vec3& x, std::size_t axis) {
 Vec3 turned(const Vec3& x) {
     return {-x[1], x[0], x[2]};
 }
+Vec3 turned_about_y(const Vec3& x) {
+    return {-x[2], x[1], x[0]};
+}
 
 TEST(SymmetricMarkers, of_a_plus_that_is_a_sheet) {
     for (const auto& [thickness_m, layers] :
@@ -136,6 +142,7 @@ TEST(SymmetricMarkers, of_a_ball) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             expect_same(mesh, markers, [&](const Vec3& x) { return mirror(x, axis); });
         expect_same(mesh, markers, turned);
+        expect_same(mesh, markers, turned_about_y);
         // As far apart as they shall be, and no large hole between them.
         for (const PlacedMarker& m : markers)
             for (const PlacedMarker& other : markers) {
@@ -145,6 +152,18 @@ TEST(SymmetricMarkers, of_a_ball) {
                     EXPECT_GT(apart_m, 0.999 * grid_m);
                 }
             }
+    }
+}
+
+TEST(SymmetricMarkers, of_a_ring) {
+    for (const double radius_m : {1e-3, 1.13e-3, 1.31e-3}) {
+        const structure::Arc ring{
+            radius_m, 2 * std::numbers::pi, {2.3e-4, 2.1e-4}, {16, 2, 2}};
+        const Mesh mesh = structure::arc_mesh(ring);
+        const auto markers = markers_of(mesh, ring);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            expect_same(mesh, markers, [&](const Vec3& x) { return mirror(x, axis); });
+        expect_same(mesh, markers, turned_about_y);
     }
 }
 
