@@ -63,6 +63,16 @@ struct Operation {
             image[d] = centre[d] + sign[d] * (x[axis[d]] - centre[axis[d]]);
         return image;
     }
+    // This operation after another.
+    Operation after(const Operation& first) const {
+        Operation both;
+        for (std::size_t d = 0; d < 3; ++d) {
+            both.axis[d] = first.axis[axis[d]];
+            both.sign[d] = sign[d] * first.sign[axis[d]];
+        }
+        return both;
+    }
+    bool operator==(const Operation&) const = default;
 };
 
 // The 48 operations of a cube; the first leaves everything as it is.
@@ -141,6 +151,15 @@ class Symmetry {
   private:
     void add(const Operation& operation, const Layers& layers,
              const std::vector<PointsNear>& sets, double same_m) {
+        // Two operations in turn leave the points as they are if each does.
+        for (const Kept& first : kept_)
+            for (const Kept& second : kept_) {
+                if (second.operation.after(first.operation) != operation) continue;
+                std::vector<std::size_t> to;
+                for (const std::size_t layer : first.to) to.push_back(second.to[layer]);
+                kept_.push_back({operation, std::move(to)});
+                return;
+            }
         std::vector<std::size_t> to(layers.size(), 0);
         for (std::size_t from = 0; from < layers.size(); ++from) {
             const auto lands_in = [&](const PointsNear& set) {
