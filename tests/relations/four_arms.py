@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A body from a file with four arms that are alike, in a field along its axis: so are their tips. By
-the penalty; markers of no_slip on bodies from files are thinned out one after the other, which keeps
-no symmetry (docs/howto/shapes.md)."""
+"""A body from a file with four arms that are alike, in a field along its axis: so are their tips, by
+the penalty and without slip."""
 import itertools
 import json
 import unittest
@@ -54,7 +53,7 @@ def plus_of_hexahedra(arm, thickness, layers):
     return {"gmsh": {"file": path, "unit": "1 mm"}}
 
 
-def tips_of(mesh):
+def tips_of(mesh, forcing):
     """Of a body in a field along its axis, each arm with a magnetization outwards: its tips."""
     def arm(x, y):
         low, high = ((0.4, -0.4), (2, 0.4)) if x or y else ((-2, -2), (2, 2))
@@ -71,7 +70,7 @@ def tips_of(mesh):
     path = f"{testing.new_folder()}/scene.yaml"
     with open(path, "w") as file:
         json.dump(relations.scene(f, 1, 0.25, bodies={"body": body}, probes={"points": points},
-                        coupling={"immersed_boundary": {"forcing": "penalty"}},
+                        coupling={"immersed_boundary": {"forcing": forcing}},
                         magnetic_field={"vector": f.field([0, 0, 5])},
                         fluid=relations.fluid(f, 0.25, 1, 0.1, relations.NO_SLIP)), file)
     probes = testing.good_run(path).probes()
@@ -90,13 +89,17 @@ class FourArms(unittest.TestCase):
         self.assertLessEqual(worst, relations.BOUND, column)
 
     def alike(self, mesh):
-        tips = tips_of(mesh)
+        for forcing in ("penalty", "no_slip"):
+            self.alike_by(forcing, mesh)
+
+    def alike_by(self, forcing, mesh):
+        tips = tips_of(mesh, forcing)
         still = {column: [0.0] * len(values) for column, values in tips["east"].items()}
         self.assertGreater(testing.worst_difference(tips["east"], still)[0], 0.99)
         for name, tip in tips.items():
             aside = tip | {"out_y[m]": [-v for v in tip["out_y[m]"]]}
-            self.compare(f"{name} and east", tips["east"], tip)
-            self.compare(f"{name} and its mirror image", tip, aside)
+            self.compare(f"{forcing}, {name} and east", tips["east"], tip)
+            self.compare(f"{forcing}, {name} and its mirror image", tip, aside)
 
     def test_of_a_surface(self):
         self.alike(lambda: star_surface(1.5, 0.2))

@@ -179,10 +179,18 @@ def draw(file, recorded, series, solutions, begin):
 
 
 def _draw_shapes(axes, recorded, times):
-    words = recorded.box.words()
-    for shade, t in zip(np.linspace(0.8, 0.1, len(times)), times):
+    """Strips that come back to the same place are one, with all their times."""
+    words, strips = recorded.box.words(), []
+    for t in times:
         outline = 1e3 * recorded.at(t)
-        axes.fill(*outline.T, facecolor=str(shade), label=f"{1e3 * t:.3g} ms")
+        near = 0.02 * np.ptp(outline, axis=0).max()
+        same = next((times for other, times in strips if np.abs(other - outline).max() < near), None)
+        if same is None:
+            strips.append((outline, [t]))
+        else:
+            same.append(t)
+    for shade, (outline, at) in zip(np.linspace(0.8, 0.1, len(strips)), strips):
+        axes.fill(*outline.T, facecolor=str(shade), label=", ".join(f"{1e3 * t:.3g}" for t in at) + " ms")
     axes.set_aspect("equal")
     axes.set_xlabel(f"{words[0]} [mm]")
     axes.set_ylabel(f"{words[1]} [mm]")
