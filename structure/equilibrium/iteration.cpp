@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/lattice/stiffening.h"
+
 namespace magfsi::structure {
 namespace {
 
@@ -166,6 +168,7 @@ class MixedVolumes {
             inner += hourglass_energy(reference.hourglass, material, xe).gradient_n;
             tangent += hourglass_tangent(reference.hourglass, material, xe);
         }
+        if (stiffens(material)) stiffen(reference, material, xe, inner, tangent);
         problem_.matrix().add_element(e, tangent);
         const Hexahedron& nodes = problem_.body().mesh.elements[e];
         for (int a = 0; a < 8; ++a) {
@@ -180,6 +183,17 @@ class MixedVolumes {
         const Eigen::Matrix<double, 24, 1> pull = tangent * ahead;
         for (int a = 0; a < 8; ++a)
             right.segment<3>(3 * nodes[a]) -= pull.segment<3>(3 * a);
+    }
+
+    // Inner forces and tangent of springs and hourglass energy with stiffening.
+    static void stiffen(const ElementReference& reference, const Material& material,
+                        const Positions8& xe, Positions8& inner, Matrix24& tangent) {
+        const Distortion state = distortion(reference, material, xe);
+        Matrix24 hourglass = Matrix24::Zero();
+        if (reference.variant == ElementVariant::assumed_strain)
+            hourglass = hourglass_tangent(reference.hourglass, material, xe);
+        inner = state.gradient_n;
+        tangent += stiffening_tangent(reference, material, state, hourglass);
     }
 
     StaticProblem& problem_;
@@ -249,9 +263,8 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
     MixedVolumes volumes(problem, start);
     for (;; ++out.iterations) {
         out.response = problem.response(out.x, load);
-        const bool upright = out.response.smallest_j > 0;
-        out.converged =
-            upright && drive_m.isZero(0) && StaticProblem::reached(goal, out.response);
+        out.converged = out.response.sound() && drive_m.isZero(0) &&
+                        StaticProblem::reached(goal, out.response);
         if (out.converged || out.iterations == max_iterations) return out;
         const Eigen::VectorXd right = volumes.assemble(out.x, load, drive_m);
         bool stable = true;
@@ -281,8 +294,9 @@ Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
     for (;; ++out.iterations) {
         out.response = problem.response(out.x, load);
         if (!(out.response.smallest_j > 0)) return out;
-        out.converged = StaticProblem::reached(goal, out.response);
-        if (out.converged || out.iterations == max_iterations) return out;
+        const bool reached = StaticProblem::reached(goal, out.response);
+        out.converged = reached && out.response.sound();
+        if (reached || out.iterations == max_iterations) return out;
         foundation = factorize_shifted(problem, out.x, load, foundation);
         if (!std::isfinite(foundation)) return out;
         const Eigen::VectorXd step = problem.matrix().solve(out.response.residual_n);
