@@ -170,6 +170,13 @@ struct Effect {
 
 // All effects of this build, in the order of effects.inc.
 std::span<const Effect* const> effects();
+
+// The forces of Maxwell branches follow from the materials: no keyword for scripts.
+inline constexpr const char* force_of_branches = "viscoelasticity";
+
+// The forces of a keyword of fix magttice. Throws std::invalid_argument, with the
+// keywords that there are.
+const BodyForceStyle& body_force_style(const std::string& keyword);
 // The effects that this input asks for, in the same order.
 std::vector<const Effect*> asked_effects(const LammpsInput& input);
 // Group of the time integration: "all", or "moving" if an effect leaves nodes out.

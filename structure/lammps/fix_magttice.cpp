@@ -32,18 +32,6 @@ namespace {
 // Number of the first keyword: after ID, group, style, file, first atom, G and K.
 constexpr int first_keyword = 7;
 
-// The effect of a keyword. Throws std::invalid_argument, with the keywords that there
-// are.
-const BodyForceStyle& force_of(const std::string& keyword) {
-    std::string allowed = "element, material, stiffening, branch";
-    for (const Effect* effect : effects()) {
-        if (effect->force.keyword == nullptr) continue;
-        if (keyword == effect->force.keyword) return effect->force;
-        allowed += std::string(", ") + effect->force.keyword;
-    }
-    refuse("\"{}\" found; allowed are {}", keyword, allowed);
-}
-
 }  // namespace
 
 // fix ID group magttice FILE first_atom_id G K [element VARIANT] [field Bx By Bz] ...
@@ -53,17 +41,17 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
         fail(*error, who_ + " needs a lattice file, its first atom ID, G and K");
     }
     range_.first_id = LAMMPS_NS::utils::inumeric(FLERR, arg[4], false, lmp);
-    materials_.push_back(parse_material(arg + 5, 2));
+    materials_.push_back(read_material({arg + 5, 2}, lmp));
     try {
         std::vector<AskedForce> forces;
         for (int i = first_keyword; i < narg;)
             i += parse_keyword(narg - i, arg + i, forces);
         const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
         if (std::ranges::any_of(materials_, viscous))
-            forces.push_back({force_of("viscosity"), nullptr});
+            forces.push_back({body_force_style("viscosity"), nullptr});
         const auto branched = [](const Material& m) { return !m.branches.empty(); };
         if (std::ranges::any_of(materials_, branched))
-            forces.push_back({force_of("viscoelasticity"), nullptr});
+            forces.push_back({body_force_style(force_of_branches), nullptr});
         read_body(words::path_of_word(arg[3]), forces);
     } catch (const std::exception& cause) {
         fail(*error, "{}: {}", who_, cause.what());
@@ -76,15 +64,6 @@ FixMagttice::~FixMagttice() {
     if (kept_ == 0) return;
     atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
     atom->delete_callback(id, LAMMPS_NS::Atom::RESTART);
-}
-
-// Material of the values G and K and, if there are three, the viscosity.
-Material FixMagttice::parse_material(char** arg, int values) {
-    Material material;
-    material.shear_modulus_pa = number(arg[0], lmp);
-    material.lame_lambda_pa = number(arg[1], lmp);
-    if (values > 2) material.viscosity_pa_s = number(arg[2], lmp);
-    return material;
 }
 
 // Force keywords are only collected: their forces need the lattice, which is read last.
@@ -106,7 +85,7 @@ int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& as
     }
     if (keyword == "material") {
         const int words = with(3);
-        materials_.push_back(parse_material(arg + 1, 3));
+        materials_.push_back(read_material({arg + 1, 3}, lmp));
         return words;
     }
     if (keyword == "branch") {
@@ -118,9 +97,10 @@ int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& as
         const std::span<char*> words(arg + 1, static_cast<std::size_t>(left - 1));
         return 1 + read_stiffening(words, materials_.back());
     }
-    if (keyword == "viscoelasticity")
-        refuse("\"viscoelasticity\" found; the branches of a material are given by branch");
-    const BodyForceStyle& found = force_of(keyword);
+    if (keyword == force_of_branches)
+        refuse(
+            "\"viscoelasticity\" found; the branches of a material are given by branch");
+    const BodyForceStyle& found = body_force_style(keyword);
     const auto same = [&](const AskedForce& other) {
         return other.style.keyword == found.keyword;
     };

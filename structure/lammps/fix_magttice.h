@@ -69,7 +69,6 @@ class FixMagttice : public LAMMPS_NS::Fix {
     // Reads one keyword and its values from the `left` remaining words; returns their
     // number.
     int parse_keyword(int left, char** arg, std::vector<AskedForce>& asked);
-    Material parse_material(char** arg, int values);
     // Reads the lattice file, builds the lattice and makes the forces.
     void read_body(const std::string& file, const std::vector<AskedForce>& asked);
     // Renews the element tables after a change of the atoms' indices or ranks.

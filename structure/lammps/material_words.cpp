@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/lammps/material_words.h"
 
+#include "structure/lammps/effect.h"
 #include "structure/lammps/law_words.h"
 
 namespace magfsi::structure {
@@ -27,6 +28,14 @@ std::size_t values_of(const std::string& name, const std::variant<Laws...>&) {
 }
 
 }  // namespace
+
+Material read_material(std::span<char*> words, LAMMPS_NS::LAMMPS* lammps) {
+    Material material;
+    material.shear_modulus_pa = number(words[0], lammps);
+    material.lame_lambda_pa = number(words[1], lammps);
+    if (words.size() > 2) material.viscosity_pa_s = number(words[2], lammps);
+    return material;
+}
 
 std::string material_words(const Material& material) {
     std::string out;

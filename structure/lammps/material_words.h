@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Words of fix magttice on a material beyond its moduli and viscosity. They follow the
-// words of the material that they belong to.
+// Words of fix magttice on a material: its moduli and viscosity, and what follows them.
 #pragma once
 
 #include <span>
@@ -8,7 +7,14 @@
 
 #include "structure/options.h"
 
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
 namespace magfsi::structure {
+
+// Material of the values G and K and, if there are three, the viscosity.
+Material read_material(std::span<char*> words, LAMMPS_NS::LAMMPS* lammps);
 
 // " stiffening LAW NUMBERS branch G TIME ...", empty for a neo-Hookean material.
 std::string material_words(const Material& material);

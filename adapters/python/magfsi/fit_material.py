@@ -246,6 +246,7 @@ def main(arguments=None):
         print(f"  {curve.name}: {100 * error:.3g} %")
     text = yaml_of(found, given.density)
     sources = ", ".join(c.name for c in curves)
+    given.out.parent.mkdir(parents=True, exist_ok=True)
     given.out.write_text(f"# Fitted by magfsi fit-material to {sources}: rms {100 * found.worst():.3g} % of the largest "
                          f"stress.\n{text}")
     picture = given.out.with_suffix(".png")

@@ -122,6 +122,6 @@ extern const Effect viscoelasticity_effect{
             return std::ranges::any_of(input.bodies, is_viscoelastic);
         },
     // fix magttice itself reads the branches, which belong to its materials.
-    .force = {"viscoelasticity", 0, make_force<BranchForce>}};
+    .force = {force_of_branches, 0, make_force<BranchForce>}};
 
 }  // namespace magfsi::structure

@@ -97,8 +97,8 @@ TEST(Stiffening, KeepsTheEnergyOfAFreeVibration) {
     EXPECT_LT(drift, 1e-3);  // the shadow energy, as of the neo-Hookean strip
 }
 
-// A branch of the time of the swing takes its energy; what is stored in branches counts as
-// elastic.
+// A branch of the time of the swing takes its energy; what is stored in branches counts
+// as elastic.
 TEST(Viscoelasticity, TakesTheEnergyThatIsLost) {
     LammpsInput input = test::released_strip();
     input.bodies[0].material.branches = {{10e3, 2e-3}, {5e3, 1e-6}};
@@ -324,8 +324,11 @@ TEST(BadArguments, AreRefusedInOneSentence) {
                 {"\"viscosity\" with 0 values found, it takes 1"});
     expect_stop(
         {"fix a all magttice x 1 1 1 fields 0 0 0"},
-        {"\"fields\" found; allowed are element, material, field, gradient, sources, "
-         "dipoles, viscosity"});
+        {"\"fields\" found; allowed are element, material, stiffening, branch, field, "
+         "turned_field, gradient, sources, dipoles, viscosity"});
+    expect_stop({"fix a all magttice x 1 1 1 stiffening hard 3"}, {"hard"});
+    expect_stop({"fix a all magttice x 1 1 1 branch 5"},
+                {"\"branch\" with 1 values found, it takes 2"});
     expect_stop({"fix a all magttice x 1 1 1 field 0 0 1 field 0 0 2"},
                 {"\"field\" found twice"});
     expect_stop({"fix a all magttice/field xz constant 1"}, {"constant has 2"});

@@ -39,7 +39,7 @@ class ThickRubber(unittest.TestCase):
         return np.column_stack([probes["tip_ux[m]"], probes["tip_uz[m]"]])[1:]
 
     def test_bends_as_converged_finite_elements(self):
-        coarse, _ = solid((6, 1, 2), LIMIT)
+        coarse, _ = solid((8, 2, 3), LIMIT)
         right, share = solid((10, 2, 4), LIMIT)
         neo_hookean, _ = solid((6, 1, 2), None)
         size = np.linalg.norm(right, axis=1)
