@@ -3,7 +3,9 @@
 #include "base/fitted/constants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "structure/lattice/stiffening.h"
 
@@ -203,17 +205,23 @@ class MixedVolumes {
 // Factorises the matrix of the mixed method. A stretched state on the way (a body half
 // turned by a linearised step) can make the tangent indefinite although the equilibrium
 // is stable; a foundation in rough steps then holds those unknowns back that have lost
-// their stiffness, while the volumes still move on. stable: true if no foundation was
-// needed. False if none of them is enough.
+// their stiffness, while the volumes still move on. Moments that turn with the body make
+// the tangent of a free one slightly indefinite where the field has just been turned: by
+// |m| |B| (1 - cos d) / 2 at the angle d between moment and field. Steps from a weak
+// foundation on then hold only that. stable: true if no foundation was needed. False if
+// none of them is enough.
 bool factorize_mixed(StaticProblem& problem, bool& stable) {
-    stable = true;
-    const double scale = problem.bending_stiffness_scale();
-    for (double foundation : {problem.rigid_foundation(), 1e4 * scale, 1e6 * scale}) {
+    constexpr std::array<double, 6> all{1, 10, 100, 1e3, 1e4, 1e6};
+    const std::size_t first = is_turned(problem.body()) ? 0 : 4;
+    const auto stands_on = [&](double foundation) {
         problem.matrix().raise_foundation(foundation);
-        if (problem.matrix().factorize()) return true;
-        stable = false;
-    }
-    return false;
+        return problem.matrix().factorize();
+    };
+    stable = stands_on(problem.rigid_foundation());
+    if (stable) return true;
+    const double scale = problem.bending_stiffness_scale();
+    return std::ranges::any_of(std::span(all).subspan(first),
+                               [&](double part) { return stands_on(part * scale); });
 }
 
 // Factorises the tangent on the weakest foundation [Pa/m2] that makes it positive

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "structure/equilibrium/newton.h"
 #include "tests/unit/structure/derivatives.h"
@@ -136,6 +137,43 @@ TEST(Turned, BarStretchedByAWeightTurnsByItsClosedForm) {
     // are of the square of the slope and of exp(-8).
     EXPECT_NEAR(turned.slope / (couple_n / (weight_n * turned.stretch)), 1, 5e-3);
     EXPECT_NEAR(stretched.slope / (couple_n / weight_n), 1, 5e-3);
+}
+
+// A free strip of harmonic magnetisation, bent by a field, turns with it as it is. Its
+// tangent is indefinite just after the field has been turned.
+TEST(Turned, FreeStripFollowsAFieldThatTurns) {
+    Body body;
+    body.name = "strip";
+    body.mesh = box_mesh({{3.7e-3, 1.5e-3, 0.185e-3}, {12, 4, 1}});
+    body.material = {33e3, 660e3, 1860};
+    body.follows = MagnetizationFollows::rotation;
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        const double angle =
+            (2 * element_centre(body.mesh, e)[0] / 3.7e-3 + 0.25) * std::numbers::pi;
+        body.magnetization_a_m.push_back(
+            {62e3 * std::cos(angle), 0, 62e3 * std::sin(angle)});
+    }
+    const auto turned_to = [](double degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        return StaticLoads{{16.9e-3 * std::cos(angle), 0, 16.9e-3 * std::sin(angle)}, {}};
+    };
+    NewtonSolver solver(body);
+    const Equilibrium start = solver.release(body.mesh.nodes, turned_to(225));
+    const std::vector<StaticLoads> path{turned_to(202.5), turned_to(180)};
+    const auto found = solver.follow(start.nodes_m, turned_to(225), path);
+    const auto chord = [&](const Equilibrium& at) {
+        return at.nodes_m.back() - at.nodes_m.front();
+    };
+    const Vec3 before = chord(start), after = chord(found.back());
+    const double turn = std::atan2(after[2], after[0]) - std::atan2(before[2], before[0]);
+    std::printf("turned by %.6f degrees in %d and %d iterations\n",
+                turn * 180 / std::numbers::pi, found[0].iterations, found[1].iterations);
+    EXPECT_NEAR(std::remainder(turn + std::numbers::pi / 4, 2 * std::numbers::pi), 0,
+                1e-5);  // of its tolerance
+    for (const Equilibrium& one : found) {
+        EXPECT_EQ(one.releases, 0);
+        EXPECT_LT(one.iterations, 30);
+    }
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ def triangle():
 
 def let_go():
     """Ringing without field, after one that lifts the middle by a third of a millimetre."""
-    t, w = arch("600 ms", "0 s, 0.1 ms", "-4 mT, 0 mT")
+    t, w = arch("600 ms", "0 s, 0.1 ms", "-3 mT, 0 mT")
     return t, w - w[-1]
 
 
