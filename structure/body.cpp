@@ -103,6 +103,11 @@ bool is_viscous(const Body& body) {
                                [](const Material& m) { return m.viscosity_pa_s != 0; });
 }
 
+bool is_viscoelastic(const Body& body) {
+    return std::ranges::any_of(all_materials(body),
+                               [](const Material& m) { return !m.branches.empty(); });
+}
+
 bool is_all_rigid(const Body& body) {
     return !body.element_rigid.empty() &&
            std::ranges::all_of(body.element_rigid, [](int part) { return part >= 0; });

@@ -35,6 +35,7 @@ struct Body {
     // Magnetisation of the undeformed elements [A/m], one vector per element; empty if
     // the body is not magnetic
     std::vector<Vec3> magnetization_a_m;
+    MagnetizationFollows follows = MagnetizationFollows::deformation;
     // Names of faces in mesh.faces whose nodes are held along all axes
     std::vector<std::string> clamps;
     // Faces whose nodes are held along one axis
@@ -72,13 +73,20 @@ std::vector<Material> all_materials(const Body& body);
 // body must have passed check_materials.
 std::vector<Material> used_materials(const Body& body);
 
+// True if the body is magnetised and its magnetisation follows the rotation.
+inline bool is_turned(const Body& body) {
+    return !body.magnetization_a_m.empty() &&
+           body.follows == MagnetizationFollows::rotation;
+}
+
 // The materials whose modulus decides how hard bodies press on each other and on walls:
 // those of the body's soft elements, as a rigid part that is far stiffer would only
 // shorten the step. Where no body has a soft element they are those that have a modulus.
 std::vector<Material> pressing_materials(const Body& body, std::span<const Body> all);
 
-// True if at least one of the body's materials has a viscosity.
+// True if at least one of the body's materials has a viscosity, or Maxwell branches.
 bool is_viscous(const Body& body);
+bool is_viscoelastic(const Body& body);
 
 // Throws std::invalid_argument unless element_material has one number from 0 to `others`
 // for each element. It may be empty where there are no other materials.

@@ -74,6 +74,20 @@ Vec3 way(const FormulaMotion& f) {
     return out;
 }
 
+// It moves no more after time 0.
+Vec3 displacement(const HeldDisplacement&, double) {
+    return {};
+}
+Vec3 velocity(const HeldDisplacement&, double) {
+    return {};
+}
+Vec3 acceleration(const HeldDisplacement&, double) {
+    return {};
+}
+Vec3 way(const HeldDisplacement& held) {
+    return held.displacement_m;
+}
+
 // A turn moves nodes along all axes of space but its own.
 Vec3 displacement(const TurningMotion&, double) {
     return {};
@@ -166,6 +180,11 @@ void check_motions(const std::vector<Body>& bodies,
 
 Vec3 displacement_m(const MotionCourse& course, double time_s) {
     return std::visit([&](const auto& c) { return displacement(c, time_s); }, course);
+}
+
+Vec3 start_displacement_m(const MotionCourse& course) {
+    const auto* held = std::get_if<HeldDisplacement>(&course);
+    return held ? held->displacement_m : Vec3{};
 }
 
 Vec3 velocity_m_s(const MotionCourse& course, double time_s) {

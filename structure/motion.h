@@ -24,6 +24,10 @@ Vec3 displacement_m(const MotionCourse& course, double time_s);
 Vec3 velocity_m_s(const MotionCourse& course, double time_s);
 Vec3 acceleration_m_s2(const MotionCourse& course, double time_s);
 
+// Displacement [m] of a course's nodes at time 0 from their places in the mesh: 0 but for
+// HeldDisplacement.
+Vec3 start_displacement_m(const MotionCourse& course);
+
 // A turn since time 0 [rad], its rate [rad/s] or its acceleration [rad/s2], as a vector
 // along the axis, and a point of the axis; 0 of other courses. Formulas throw as above.
 struct Turn {

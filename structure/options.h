@@ -24,7 +24,29 @@ using magfsi::Vec3;
 
 // --- material and element -----------------------------------------------------------
 
-// Neo-Hookean solid, eq. (1) of the paper.
+// Laws of strain stiffening (lattice/stiffening.h); the shear modulus G is that at rest.
+struct Gent {
+    double limit = 0;  // of I1 - 3, called J_m
+    bool operator==(const Gent&) const = default;
+};
+struct Yeoh {
+    double c2_pa = 0, c3_pa = 0;  // C1 is G / 2
+    bool operator==(const Yeoh&) const = default;
+};
+struct ArrudaBoyce {
+    double locking_stretch = 0;  // of a chain, the root of its number of segments
+    bool operator==(const ArrudaBoyce&) const = default;
+};
+using Stiffening = std::variant<Gent, Yeoh, ArrudaBoyce>;
+
+// Spring and dashpot in series, beside the elastic network (lattice/maxwell.h).
+struct MaxwellBranch {
+    double modulus_pa = 0;  // added to the shear modulus at once
+    double time_s = 0;      // in which its stress falls to 1/e at rest
+    bool operator==(const MaxwellBranch&) const = default;
+};
+
+// Neo-Hookean solid, eq. (1) of the paper, or with another energy of I1 in its place.
 struct Material {
     double shear_modulus_pa = 0;
     double lame_lambda_pa = 0;  // first Lame constant, the paper's K
@@ -33,6 +55,8 @@ struct Material {
     double density_kg_m3 = 0;
     // Kelvin-Voigt viscosity eta (lattice/element.h); 0: purely elastic
     double viscosity_pa_s = 0;
+    std::optional<Stiffening> stiffening{};
+    std::vector<MaxwellBranch> branches{};
 };
 
 // A material for the elements of some regions of the mesh, in place of the body's
@@ -128,6 +152,19 @@ using Magnetization =
     std::variant<UniformMagnetization, HarmonicMagnetization, DomainMagnetization,
                  RegionMagnetization, TableMagnetization, CurveMagnetization,
                  RadialMagnetization>;
+
+// What the magnetisation of a deformed element is: F M (the paper's model), or R M with
+// the rotation R of F = R U (magnetics/turned_moments.h).
+enum class MagnetizationFollows { deformation, rotation };
+constexpr auto words_of(MagnetizationFollows) {
+    return std::to_array<std::string_view>({"deformation", "rotation"});
+}
+
+// A magnetisation and how it follows the material.
+struct Remanence : Magnetization {
+    using Magnetization::variant;
+    MagnetizationFollows follows = MagnetizationFollows::deformation;
+};
 
 // --- magnetic field -----------------------------------------------------------------
 
@@ -287,11 +324,16 @@ struct TurningMotion {
     Vec3 about_m{};
     std::variant<AngleOscillation, Formula> angle;
 };
-using MotionCourse =
-    std::variant<Oscillation, DisplacementRamp, FormulaMotion, TurningMotion>;
+// A face that is held away from its place in the mesh, from time 0 on. It needs an
+// equilibrium to start from.
+struct HeldDisplacement {
+    Vec3 displacement_m{};
+};
+using MotionCourse = std::variant<Oscillation, DisplacementRamp, FormulaMotion,
+                                  TurningMotion, HeldDisplacement>;
 
 // Faces that are held and moved from outside, by a displacement or a turn that is zero at
-// time 0.
+// time 0, or held by HeldDisplacement.
 struct PrescribedMotion {
     std::size_t body = 0;  // number of the body in the list of bodies
     std::vector<std::string> faces;

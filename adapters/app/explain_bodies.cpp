@@ -11,6 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "adapters/app/explain_material.h"
 #include "adapters/app/participants.h"
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
@@ -255,7 +256,9 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
             fmt::format("    {}: G {:.4g} Pa, lambda {:.4g} Pa, density {:.4g} kg/m3\n",
                         fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
                         entry.material.lame_lambda_pa, entry.material.density_kg_m3);
+        text += explain_material(entry.material);
     }
+    text += explain_material(body.material);
     text += explain_loads(scene, body, solid);
     text += explain_error(scene, body, solid);
     const bool some_soft = !structure::is_all_rigid(solid);

@@ -23,6 +23,8 @@ namespace {
 // of the moments of inertia.
 constexpr double error_to_warn_of = 0.05;
 constexpr double inertia_to_warn_of = 0.1;
+// Differences of two models that are told, relative, where the mesh's own error is less.
+constexpr double least_difference = 0.005;
 
 std::string in_percent(double error) {
     return fmt::format("{:+.2g} %", 100 * error);
@@ -46,6 +48,16 @@ std::string explain_error(const scene::Scene& scene, const scene::Body& body,
         if (std::abs(error) > std::abs(worst)) worst = error;
     }
     text += "\n";
+    const auto follows = bodies::difference_of_follows(scene, solid);
+    if (follows && *follows > std::max(std::abs(worst), least_difference))
+        text += fmt::format(
+            "    magnetization follows the {}: by the {} displacements would be {:.2g} % "
+            "other (bodies.{}.magnetization.follows)\n",
+            name_of(solid.follows),
+            name_of(structure::is_turned(solid)
+                        ? structure::MagnetizationFollows::deformation
+                        : structure::MagnetizationFollows::rotation),
+            100 * *follows, body.name);
     if (std::abs(worst) <= error_to_warn_of) return text;
     return text +
            fmt::format(

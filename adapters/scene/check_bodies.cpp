@@ -163,9 +163,24 @@ void check_shapes(const Body& body, const Marks& marks) {
                   "a box");
 }
 
+// A magnetisation that follows the rotation is known in uniform fields alone.
+void check_follows(const Scene& scene, const Body& body, const Marks& marks) {
+    if (body.magnetization->follows != MagnetizationFollows::rotation) return;
+    const Origin& here = marks.value({"bodies", body.name, "magnetization", "follows"});
+    const char* const allowed = "it in uniform fields, without dipoles";
+    const auto& field = scene.magnetic_field;
+    require(!field || !field->gradient, here, "rotation in a field with a gradient",
+            allowed, "remove magnetization.follows");
+    require(!field || field->sources.empty(), here, "rotation in a field of sources",
+            allowed, "remove magnetization.follows");
+    require(!scene.dipoles, here, "rotation beside dipoles", allowed,
+            "remove magnetization.follows");
+}
+
 // The two axes of a harmonic magnetisation span a plane.
-void check_magnetization(const Body& body, const Marks& marks) {
+void check_magnetization(const Scene& scene, const Body& body, const Marks& marks) {
     if (!body.magnetization) return;
+    check_follows(scene, body, marks);
     if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization))
         require(m->along != m->into,
                 marks.value({"bodies", body.name, "magnetization", "harmonic", "into"}),
@@ -277,6 +292,11 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
                 "a prescribed motion on a path of equilibria by damped motion",
                 "it in runs over time, or with the method newton",
                 "take time.equilibrium.method: newton");
+        require(
+            !std::holds_alternative<HeldDisplacement>(body.prescribed_motion[i].course) ||
+                path || scene.time.start == RunStart::equilibrium,
+            here, "a displacement in a run that starts with bodies as they are placed",
+            "it with an equilibrium to start from", "add time.start: equilibrium");
         if (const auto* way =
                 std::get_if<FormulaMotion>(&body.prescribed_motion[i].course)) {
             for (std::size_t d = 0; d < 3; ++d)
@@ -372,7 +392,7 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         check_regions(body, body.material_regions,
                       {"bodies", body.name, "material_regions"}, "material_regions",
                       marks);
-        check_magnetization(body, marks);
+        check_magnetization(scene, body, marks);
         check_initial(scene, body, marks);
         if (box) check_inside(scene, body, *box, marks);
     }
@@ -389,6 +409,7 @@ double largest_speed_m_s(const Body& body, const PrescribedMotion& motion, doubl
         return 2 * pi * o->frequency_hz * norm(o->amplitude_m);
     if (const auto* ramp = std::get_if<DisplacementRamp>(&motion.course))
         return pi / 2 * norm(ramp->displacement_m) / ramp->duration_s;
+    if (std::holds_alternative<HeldDisplacement>(motion.course)) return 0;
     const auto& formula = std::get<FormulaMotion>(motion.course);
     double largest = 0;
     for (int i = 0; i <= 1000; ++i)

@@ -202,6 +202,22 @@ void check_own_structure(const Scene& scene, const Marks& marks) {
             "the balance of a structure of your own", "it with bodies", "remove the key");
 }
 
+// A start in equilibrium is Newton's: it knows bodies one by one, without a fluid.
+void check_start(const Scene& scene, const Marks& marks) {
+    if (scene.time.start != RunStart::equilibrium) return;
+    const Origin& here = marks.value({"time", "start"});
+    const auto without = [&](bool present, const char* what) {
+        require(!present, here, fmt::format("start: equilibrium {}", what),
+                "it for bodies without fluid, contact and dipoles, in runs over time",
+                "take start: placed");
+    };
+    without(scene.time.equilibrium.has_value(), "on a path of equilibria");
+    without(scene.fluid.has_value(), "in a fluid");
+    without(scene.contact.has_value(), "with contact");
+    without(scene.dipoles.has_value(), "with dipoles");
+    without(scene.bodies.empty(), "without bodies");
+}
+
 }  // namespace
 
 std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
@@ -240,6 +256,7 @@ void check_loads(const Scene& scene, const Marks& marks) {
     with_bodies(scene.damping.has_value(), "damping");
     if (with_bodies(scene.platform.has_value(), "platform")) check_platform(scene, marks);
     with_bodies(scene.contact.has_value(), "contact");
+    check_start(scene, marks);
     const bool equilibrium = scene.time.equilibrium.has_value();
     require(!equilibrium || !scene.fluid, marks.key({"time", "equilibrium"}),
             "an equilibrium in a scene with a fluid", "it without a fluid",

@@ -291,19 +291,36 @@ struct MaterialMarks {
     }
 };
 
-// Requires a complete pair: shear_modulus with lame_lambda, or youngs_modulus with
-// poissons_ratio. A rigid body may have none.
+// A Yeoh material must not lose its stiffness: 2 W' = G + 4 c2 s + 6 c3 s^2 is positive
+// for every s >= 0.
+void check_yeoh(const MaterialMarks& at, const Material& material) {
+    if (!material.stiffening) return;
+    const auto* yeoh = std::get_if<Yeoh>(&*material.stiffening);
+    if (!yeoh) return;
+    const double least_pa = -std::sqrt(1.5 * yeoh->c3_pa * material.shear_modulus_pa);
+    require(yeoh->c2_pa >= 0 || yeoh->c2_pa > least_pa, at.at("yeoh"),
+            fmt::format("yeoh with c2 = {:g} Pa, which loses its stiffness when it is "
+                        "stretched",
+                        yeoh->c2_pa),
+            fmt::format("c2 above {:g} Pa with this c3 and shear modulus", least_pa));
+}
+
+// Requires a preset, or density and a complete pair: shear_modulus with lame_lambda, or
+// youngs_modulus with poissons_ratio. A rigid body may have no pair.
 void check(const MaterialMarks& at, bool rigid) {
     const char* pairs[][2] = {{"shear_modulus", "lame_lambda"},
                               {"youngs_modulus", "poissons_ratio"}};
     const auto& [ours, theirs] = pairs;
     const bool by_ours = at.has(ours[0]) || at.has(ours[1]);
     const bool by_theirs = at.has(theirs[0]) || at.has(theirs[1]);
+    require(at.has("density") || at.has("preset"), at.at("density"), "no key \"density\"",
+            "it, or a preset");
     if (rigid && !by_ours && !by_theirs) return;
     const char* second = at.has(theirs[0]) ? theirs[0] : theirs[1];
     require(!by_ours || !by_theirs, at.at(second),
             fmt::format("{} beside {}", second, at.has(ours[0]) ? ours[0] : ours[1]),
             "shear_modulus and lame_lambda, or youngs_modulus and poissons_ratio");
+    if (at.has("preset")) return;
     for (const char* key : by_theirs ? theirs : ours)
         require(at.has(key), at.at(key), fmt::format("no key \"{}\"", key),
                 "shear_modulus and lame_lambda, or youngs_modulus and poissons_ratio");
@@ -317,8 +334,12 @@ void check_materials(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         const bool rigid = body.is_all_rigid();
         check({marks, body.name, ""}, rigid);
-        for (std::size_t i = 0; i < body.material_regions.size(); ++i)
+        check_yeoh({marks, body.name, ""}, body.material);
+        for (std::size_t i = 0; i < body.material_regions.size(); ++i) {
             check({marks, body.name, std::to_string(i)}, rigid);
+            check_yeoh({marks, body.name, std::to_string(i)},
+                       body.material_regions[i].material);
+        }
     }
     if (!scene.fluid) return;
     const bool usual = marks.has({"fluid", "viscosity"});

@@ -90,11 +90,12 @@ struct Effect {
     bool active;
 };
 
-// True if any material of the body is viscous.
-bool is_viscous(const Body& body) {
-    return body.material.viscosity_pa_s > 0 ||
-           std::ranges::any_of(body.material_regions, [](const RegionMaterial& region) {
-               return region.material.viscosity_pa_s > 0;
+// True if any material of the body has the property.
+template <class Test>
+bool some_material(const Body& body, const Test& test) {
+    return test(body.material) ||
+           std::ranges::any_of(body.material_regions, [&](const RegionMaterial& region) {
+               return test(region.material);
            });
 }
 
@@ -112,6 +113,9 @@ void add_further_kinds(std::vector<Effect>& effects, auto side_of) {
 std::vector<Effect> effects_of(const Scene& s) {
     using enum Step;
     const auto some_body = [&](auto test) { return std::ranges::any_of(s.bodies, test); };
+    const auto of_material = [&](auto test) {
+        return some_body([&](const Body& body) { return some_material(body, test); });
+    };
     const auto some_side = [&](auto test) {
         return s.fluid && std::ranges::any_of(s.fluid->boundaries, test);
     };
@@ -120,7 +124,12 @@ std::vector<Effect> effects_of(const Scene& s) {
     };
     std::vector<Effect> effects{
         {structure, "elasticity", !s.bodies.empty()},
-        {structure, "viscosity", some_body(is_viscous)},
+        {structure, "stiffening",
+         of_material([](const Material& m) { return m.stiffening.has_value(); })},
+        {structure, "viscosity",
+         of_material([](const Material& m) { return m.viscosity_pa_s > 0; })},
+        {structure, "viscoelasticity",
+         of_material([](const Material& m) { return !m.branches.empty(); })},
         {structure, "magnetic field", s.magnetic_field && s.magnetic_field->uniform},
         {structure, "field gradient", s.magnetic_field && s.magnetic_field->gradient},
         {structure, "field sources",

@@ -30,6 +30,10 @@ void keys(Io& io, Time& time) {
     io(quantity("step", "s", "Coupled step; without it, from the fluid's lattice speed, or "
                 "without a fluid from the bodies' stable step.").above(0),
        time.step_s);
+    io(key("start", "placed: bodies start where `initial` puts them, and loads set in at once; "
+           "equilibrium: they start in equilibrium with the loads and the held faces of time 0, found "
+           "by Newton's method.").by_default(),
+       time.start);
     io(key("equilibrium", "No motion: time is the parameter of a path of loads, and each "
            "probe row an equilibrium on it."), time.equilibrium);
 }

@@ -279,7 +279,7 @@ void keys(Io& io, ContactLaw& contact);
 template <class Io>
 void keys(Io& io, NamedRegion& region);  // keys_magnetization.cpp
 template <class Io>
-void keys(Io& io, Magnetization& magnetization);
+void keys(Io& io, Remanence& magnetization);
 template <class Io>
 void keys(Io& io, Box& mesh);  // keys_mesh.cpp
 template <class Io>

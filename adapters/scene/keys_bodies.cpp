@@ -3,16 +3,56 @@
 // in keys_mesh.cpp, regions and magnetisations in keys_magnetization.cpp. A comment
 // before each function names the place of its group below `bodies.NAME`.
 #include "adapters/scene/keys.h"
+#include "adapters/scene/presets.h"
 
 // The layout below follows the nesting of the scene file.
 // clang-format off
 
 namespace magfsi::scene {
 
+// Keys of `material.gent`.
+template <class Io>
+void keys(Io& io, Gent& gent) {
+    io(key("limit",
+           "Largest I1 - 3 of the stretches, called J_m. A bar then stretches up to L with L^2 + "
+           "2 / L - 3 = J_m: 5.6 times for 30.").above(0),
+       gent.limit);
+}
+
+// Keys of `material.yeoh`.
+template <class Io>
+void keys(Io& io, Yeoh& yeoh) {
+    io(quantity("c2", "Pa", "Constant of (I1 - 3)^2, of either sign."), yeoh.c2_pa);
+    io(quantity("c3", "Pa", "Constant of (I1 - 3)^3.").at_least(0).by_default(), yeoh.c3_pa);
+}
+
+// Keys of `material.arruda_boyce`.
+template <class Io>
+void keys(Io& io, ArrudaBoyce& chains) {
+    io(key("locking_stretch",
+           "Largest stretch of a chain, the root of I1 / 3: the root of its number of segments.").above(1),
+       chains.locking_stretch);
+}
+
+// Keys of `material.maxwell[]`.
+template <class Io>
+void keys(Io& io, MaxwellBranch& branch) {
+    io(quantity("modulus", "Pa", "Shear modulus that the branch adds at once.").above(0),
+       branch.modulus_pa);
+    io(quantity("time", "s", "Time in which the stress of the branch falls to 1/e.").above(0),
+       branch.time_s);
+}
+
 // Keys of `material`, and an item of material_regions. Reading converts E and nu to G and lambda;
 // writing has G and lambda only.
 template <class Io>
 void keys(Io& io, Material& material) {
+    std::optional<MaterialPreset> preset;  // becomes the constants when read
+    io(key("preset",
+           "A material that was measured, in place of the other keys, which may replace single "
+           "constants of it. zhao_2019: printed elastomer with magnetic powder; tan_2022: that of a "
+           "bistable arch; vhb_4910: acrylic elastomer."), preset);
+    if (preset) material = material_of(*preset);
     io(quantity("shear_modulus", "Pa",
            "Shear modulus G. It goes with lame_lambda; youngs_modulus and poissons_ratio "
            "can stand in place of both.").above(0)
@@ -31,11 +71,25 @@ void keys(Io& io, Material& material) {
         material.shear_modulus_pa = e / (2 * (1 + nu));
         material.lame_lambda_pa = e * nu / ((1 + nu) * (1 - 2 * nu));
     }
-    io(quantity("density", "kg/m3", "Mass per volume.").above(0), material.density_kg_m3);
+    io(quantity("density", "kg/m3", "Mass per volume. Needed without a preset.").above(0).optional(),
+       material.density_kg_m3);
     io(quantity("viscosity", "Pa s",
            "Kelvin-Voigt viscosity: the viscous stress is twice this times the rate of "
            "strain.").above(0).optional(),
        material.viscosity_pa_s);
+    io.alternatives(material.stiffening,
+        key("gent",
+           "Stiffening by Gent's energy, which has a limit of stretch: -G/2 J_m ln(1 - (I1 - 3) / "
+           "J_m) in place of G/2 (I1 - 3)."),
+        key("yeoh",
+           "Stiffening by Yeoh's energy: G/2 (I1 - 3) + c2 (I1 - 3)^2 + c3 (I1 - 3)^3."),
+        key("arruda_boyce",
+           "Stiffening by Arruda and Boyce's eight chains, with the inverse Langevin function. "
+           "shear_modulus is that at rest."));
+    io(key("maxwell",
+           "Viscoelasticity: a list of branches, each a spring and a dashpot in series beside the "
+           "elastic material. shear_modulus is that of slow loads.").optional(),
+       material.branches);
 }
 
 // Keys of `material_regions[]`.
@@ -111,6 +165,12 @@ void keys(Io& io, TurningMotion& turning) {
            "Angle as a formula of the time t, which counts from its value at time 0."));
 }
 
+// Keys of `prescribed_motion[].displacement`: a vector in place of a map.
+template <class Io>
+void keys(Io& io, HeldDisplacement& held) {
+    io.whole(held.displacement_m);
+}
+
 // Keys of `prescribed_motion[]`.
 template <class Io>
 void keys(Io& io, PrescribedMotion& motion) {
@@ -124,7 +184,10 @@ void keys(Io& io, PrescribedMotion& motion) {
            "Formulas of the time t for the components of the displacement, which counts "
            "from its value at time 0."),
         key("turning",
-           "Turn about an axis that is fixed in space. It needs a run over time."));
+           "Turn about an axis that is fixed in space. It needs a run over time."),
+        quantity("displacement", "m",
+           "Displacement along x, y and z at which the face is held from time 0 on. It needs "
+           "time.start: equilibrium, or a path of equilibria."));
 }
 
 // Keys of `initial.rotation`.
@@ -224,7 +287,9 @@ void keys(Io& io, Body& body) {
            "2 / n^2 too large along an axis of n elements; corrected: they are right from two "
            "elements on, for a stable step that is 3 to 17 % shorter.").by_default(),
        body.inertia);
-    io(key("material", "Neo-Hookean material of the body, eq. (1)."), body.material);
+    io(key("material",
+           "Material of the body: neo-Hookean, eq. (1), unless it has a key for stiffening."),
+       body.material);
     io(key("material_regions",
            "Other materials, by the mesh's regions. A region that is not named is of "
            "`material`.").optional(),

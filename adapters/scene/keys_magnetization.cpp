@@ -125,8 +125,13 @@ void keys(Io& io, RadialMagnetization& radial) {
 
 // Keys of `magnetization`.
 template <class Io>
-void keys(Io& io, Magnetization& magnetization) {
-    io.alternatives(magnetization,
+void keys(Io& io, Remanence& remanence) {
+    io(key("follows",
+           "What the magnetization of a deformed body does: deformation, as in the paper, turns and "
+           "stretches it with the material; rotation turns it and leaves its strength. Both agree "
+           "where a body bends without being stretched.").by_default(),
+       remanence.follows);
+    io.alternatives(static_cast<Magnetization&>(remanence),
         quantity("uniform", "A/m", "Magnetization vector of the whole body."),
         key("harmonic",
            "Magnetization that turns along an axis: amplitude [cos(2 pi s / wavelength + "
@@ -148,6 +153,6 @@ void keys(Io& io, Magnetization& magnetization) {
 }
 
 MAGFSI_KEYS_OF(NamedRegion)
-MAGFSI_KEYS_OF(Magnetization)
+MAGFSI_KEYS_OF(Remanence)
 
 }  // namespace magfsi::scene

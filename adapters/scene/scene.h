@@ -63,9 +63,18 @@ struct Equilibrium {
     double tolerance = 1e-6;  // largest residual nodal force over the largest load
 };
 
+// State at time 0.
+// placed: bodies are where `initial` puts them, at rest, and loads set in at once.
+// equilibrium: they are in equilibrium with all loads of time 0.
+enum class RunStart { placed, equilibrium };
+constexpr auto words_of(RunStart) {
+    return std::to_array<std::string_view>({"placed", "equilibrium"});
+}
+
 // Duration and step of the run.
 struct Time {
     double end_s = 0;
+    RunStart start = RunStart::placed;
     // Coupled step; without one it follows from the lattice speed or the bodies.
     std::optional<double> step_s;
     std::optional<Equilibrium> equilibrium;
@@ -95,7 +104,7 @@ struct Body {
     Inertia inertia = Inertia::lumped;
     Material material;
     std::vector<RegionMaterial> material_regions;
-    std::optional<Magnetization> magnetization;
+    std::optional<Remanence> magnetization;
     // Names of the clamped faces; of a block x_min to z_max.
     std::vector<std::string> clamps;
     std::vector<Roller> rollers;

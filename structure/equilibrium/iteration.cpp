@@ -3,7 +3,11 @@
 #include "base/fitted/constants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+
+#include "structure/lattice/stiffening.h"
 
 namespace magfsi::structure {
 namespace {
@@ -166,6 +170,7 @@ class MixedVolumes {
             inner += hourglass_energy(reference.hourglass, material, xe).gradient_n;
             tangent += hourglass_tangent(reference.hourglass, material, xe);
         }
+        if (stiffens(material)) stiffen(reference, material, xe, inner, tangent);
         problem_.matrix().add_element(e, tangent);
         const Hexahedron& nodes = problem_.body().mesh.elements[e];
         for (int a = 0; a < 8; ++a) {
@@ -182,6 +187,17 @@ class MixedVolumes {
             right.segment<3>(3 * nodes[a]) -= pull.segment<3>(3 * a);
     }
 
+    // Inner forces and tangent of springs and hourglass energy with stiffening.
+    static void stiffen(const ElementReference& reference, const Material& material,
+                        const Positions8& xe, Positions8& inner, Matrix24& tangent) {
+        const Distortion state = distortion(reference, material, xe);
+        Matrix24 hourglass = Matrix24::Zero();
+        if (reference.variant == ElementVariant::assumed_strain)
+            hourglass = hourglass_tangent(reference.hourglass, material, xe);
+        inner = state.gradient_n;
+        tangent += stiffening_tangent(reference, material, state, hourglass);
+    }
+
     StaticProblem& problem_;
     std::vector<double> ratio_, pressure_;
 };
@@ -189,17 +205,23 @@ class MixedVolumes {
 // Factorises the matrix of the mixed method. A stretched state on the way (a body half
 // turned by a linearised step) can make the tangent indefinite although the equilibrium
 // is stable; a foundation in rough steps then holds those unknowns back that have lost
-// their stiffness, while the volumes still move on. stable: true if no foundation was
-// needed. False if none of them is enough.
+// their stiffness, while the volumes still move on. Moments that turn with the body make
+// the tangent of a free one slightly indefinite where the field has just been turned: by
+// |m| |B| (1 - cos d) / 2 at the angle d between moment and field. Steps from a weak
+// foundation on then hold only that. stable: true if no foundation was needed. False if
+// none of them is enough.
 bool factorize_mixed(StaticProblem& problem, bool& stable) {
-    stable = true;
-    const double scale = problem.bending_stiffness_scale();
-    for (double foundation : {problem.rigid_foundation(), 1e4 * scale, 1e6 * scale}) {
+    constexpr std::array<double, 6> all{1, 10, 100, 1e3, 1e4, 1e6};
+    const std::size_t first = is_turned(problem.body()) ? 0 : 4;
+    const auto stands_on = [&](double foundation) {
         problem.matrix().raise_foundation(foundation);
-        if (problem.matrix().factorize()) return true;
-        stable = false;
-    }
-    return false;
+        return problem.matrix().factorize();
+    };
+    stable = stands_on(problem.rigid_foundation());
+    if (stable) return true;
+    const double scale = problem.bending_stiffness_scale();
+    return std::ranges::any_of(std::span(all).subspan(first),
+                               [&](double part) { return stands_on(part * scale); });
 }
 
 // Factorises the tangent on the weakest foundation [Pa/m2] that makes it positive
@@ -249,9 +271,8 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
     MixedVolumes volumes(problem, start);
     for (;; ++out.iterations) {
         out.response = problem.response(out.x, load);
-        const bool upright = out.response.smallest_j > 0;
-        out.converged =
-            upright && drive_m.isZero(0) && StaticProblem::reached(goal, out.response);
+        out.converged = out.response.sound() && drive_m.isZero(0) &&
+                        StaticProblem::reached(goal, out.response);
         if (out.converged || out.iterations == max_iterations) return out;
         const Eigen::VectorXd right = volumes.assemble(out.x, load, drive_m);
         bool stable = true;
@@ -281,8 +302,9 @@ Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
     for (;; ++out.iterations) {
         out.response = problem.response(out.x, load);
         if (!(out.response.smallest_j > 0)) return out;
-        out.converged = StaticProblem::reached(goal, out.response);
-        if (out.converged || out.iterations == max_iterations) return out;
+        const bool reached = StaticProblem::reached(goal, out.response);
+        out.converged = reached && out.response.sound();
+        if (reached || out.iterations == max_iterations) return out;
         foundation = factorize_shifted(problem, out.x, load, foundation);
         if (!std::isfinite(foundation)) return out;
         const Eigen::VectorXd step = problem.matrix().solve(out.response.residual_n);

@@ -99,8 +99,9 @@ std::vector<Vec3> linear_response(const Body& body, const StaticLoads& loads) {
     problem.matrix().raise_foundation(problem.rigid_foundation());
     if (!problem.matrix().factorize())
         throw std::runtime_error("body " + body.name + ": not stable without loads");
-    return nodes_from(
-        deformation(problem, x, problem.matrix().solve(problem.load(borne).dead_n)));
+    return nodes_from(deformation(
+        problem, x,
+        problem.matrix().solve(problem.surrounding_n(x, problem.load(borne)))));
 }
 
 double displacement_error(const Vec3& here_m, const Vec3& on_refined_m) {

@@ -280,7 +280,7 @@ Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
     out.releases = state.releases;
     out.energy_elastic_j = response.elastic_j;
     const Eigen::VectorXd moved = state.x - flat_positions(problem_.body().mesh.nodes);
-    out.energy_magnetic_j = -problem_.load({loads.field_t, {}}).dead_n.dot(state.x);
+    out.energy_magnetic_j = problem_.field_j(state.x, loads.field_t);
     out.energy_weight_j = -problem_.load({{}, loads.gravity_m_s2}).dead_n.dot(moved);
     out.seconds = now_s() - state.start_s;
     return out;
@@ -292,6 +292,15 @@ void NewtonSolver::fail(const Progress& state, const NodalLoads& load) const {
     const auto place = [](const Vec3& x) {
         return fmt::format("at ({:.4g}, {:.4g}, {:.4g}) m at rest", x[0], x[1], x[2]);
     };
+    if (response.smallest_j > 0 && response.largest_share > largest_share_of_limit) {
+        throw std::runtime_error(fmt::format(
+            "body {}: no equilibrium at {:.3g} of the load: the element {} is stretched "
+            "to {:.3g} % of the limit of its material (of I1 - 3), {:.3g} % are allowed: "
+            "use weaker loads or a material with a larger limit",
+            problem_.body().name, state.load_factor,
+            place(element_centre(mesh, response.tight_element)),
+            100 * response.largest_share, 100 * largest_share_of_limit));
+    }
     Eigen::Index worst = 0;
     response.residual_n.cwiseAbs().maxCoeff(&worst);
     throw std::runtime_error(fmt::format(

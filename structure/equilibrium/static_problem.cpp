@@ -106,7 +106,8 @@ void require_held(const Body& body, const Vec3& gravity_m_s2,
 }
 
 bool NodalLoads::none() const {
-    return dead_n.isZero(0) && gradient == 0 && sources == 0 && driven_m.isZero(0);
+    return dead_n.isZero(0) && gradient == 0 && sources == 0 && driven_m.isZero(0) &&
+           turning_t.isZero(0);
 }
 
 NodalLoads between(const NodalLoads& from, const NodalLoads& to, double share) {
@@ -114,7 +115,8 @@ NodalLoads between(const NodalLoads& from, const NodalLoads& to, double share) {
             (1 - share) * from.gradient + share * to.gradient,
             (1 - share) * from.sources + share * to.sources,
             (1 - share) * from.sources_s + share * to.sources_s,
-            (1 - share) * from.driven_m + share * to.driven_m};
+            (1 - share) * from.driven_m + share * to.driven_m,
+            (1 - share) * from.turning_t + share * to.turning_t};
 }
 
 StaticProblem::StaticProblem(const Body& body, Surroundings surroundings)
@@ -152,6 +154,10 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice,
         moments_ = moment_elements(body_.mesh.nodes, body_.mesh.elements,
                                    body_.magnetization_a_m);
     }
+    if (is_turned(body_)) {
+        turned_ = turned_elements(body_.mesh.nodes, body_.mesh.elements,
+                                  body_.magnetization_a_m);
+    }
     if (surroundings_.platform)
         surface_m2_ = surface_areas(body_.mesh.nodes, body_.mesh.elements);
     measure_stiffness();
@@ -178,13 +184,15 @@ NodalLoads StaticProblem::load(const StaticLoads& loads) const {
     NodalLoads out{Eigen::VectorXd(size), surroundings_.gradient ? loads.gradient : 0,
                    moments_.empty() ? 0 : loads.sources, loads.sources_s,
                    Eigen::VectorXd::Zero(surroundings_.driven.empty() ? 0 : size)};
+    const double of_charges = turned_.empty() ? 1 : 0;
     for (std::size_t n = 0; n < charge_.size(); ++n) {
         const double mass = node_mass_kg_[n];
         for (std::size_t d = 0; d < 3; ++d) {
             out.dead_n[3 * n + d] =
-                charge_[n] * loads.field_t[d] + mass * loads.gravity_m_s2[d];
+                of_charges * charge_[n] * loads.field_t[d] + mass * loads.gravity_m_s2[d];
         }
     }
+    if (!turned_.empty()) out.turning_t = Eigen::Vector3d(loads.field_t.data());
     for (std::size_t g = 0; g < loads.driven_m.size(); ++g) {
         for (const int node : surroundings_.driven[g])
             out.driven_m.segment<3>(3 * node) =
@@ -229,6 +237,19 @@ double StaticProblem::add_sources(const Eigen::VectorXd& x, const NodalLoads& lo
     return loads.sources * energy_j;
 }
 
+double StaticProblem::add_turning(const Eigen::VectorXd& x, const NodalLoads& loads,
+                                  Eigen::VectorXd& force_n) const {
+    if (loads.turning_t.isZero(0)) return 0;
+    return -loads.turning_t.dot(add_turned_forces(
+        turned_, body_.mesh.elements, loads.turning_t, x.data(), force_n.data()));
+}
+
+double StaticProblem::field_j(const Eigen::VectorXd& x, const Vec3& field_t) const {
+    const NodalLoads loads = load({field_t, {}});
+    Eigen::VectorXd dropped_n = Eigen::VectorXd::Zero(x.size());
+    return add_turning(x, loads, dropped_n) - loads.dead_n.dot(x);
+}
+
 double StaticProblem::depth_m(const Eigen::VectorXd& x, Eigen::Index node) const {
     const Eigen::Map<const Eigen::Vector3d> point(surroundings_.platform->point_m.data());
     return platform_normal_.dot(point - x.segment<3>(3 * node));
@@ -253,6 +274,7 @@ Eigen::VectorXd StaticProblem::surrounding_n(const Eigen::VectorXd& x,
     Eigen::VectorXd out = loads.dead_n;
     add_gradient(x, loads.gradient, out);
     add_sources(x, loads, out);
+    add_turning(x, loads, out);
     add_platform(x, out);
     return out;
 }
@@ -264,6 +286,7 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     out.total_j = -loads.dead_n.dot(x);
     out.total_j += add_gradient(x, loads.gradient, out.residual_n);
     out.total_j += add_sources(x, loads, out.residual_n);
+    out.total_j += add_turning(x, loads, out.residual_n);
     out.load_n = out.residual_n.cwiseAbs().maxCoeff();
     const KernelResult result = add_internal(x, out.residual_n);
     out.total_j += add_platform(x, out.residual_n) + result.energy_j;
@@ -280,6 +303,8 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     out.elastic_j = result.energy_j;
     out.smallest_j = result.smallest_j;
     out.element = result.element;
+    out.largest_share = result.largest_share;
+    out.tight_element = result.tight_element;
     return out;
 }
 
@@ -345,6 +370,10 @@ void StaticProblem::add_surroundings(const Eigen::VectorXd& x, const NodalLoads&
             matrix_.add_element(
                 e, loads.sources * source_tangent(moments_[e], body_.mesh.elements[e], at,
                                                   *surroundings_.sources, x.data()));
+    }
+    for (std::size_t e = 0; !loads.turning_t.isZero(0) && e < turned_.size(); ++e) {
+        matrix_.add_element(
+            e, turned_tangent(turned_[e], loads.turning_t, element_positions(e, x)));
     }
     for (std::size_t n = 0; n < surface_m2_.size(); ++n) {
         if (surface_m2_[n] == 0 || depth_m(x, static_cast<Eigen::Index>(n)) <= 0)

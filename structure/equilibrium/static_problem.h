@@ -11,7 +11,9 @@
 #include "structure/body.h"
 #include "structure/equilibrium/stiffness_matrix.h"
 #include "structure/lattice/element_kernel.h"
+#include "structure/lattice/stiffening.h"
 #include "structure/magnetics/magnetic_forces.h"
+#include "structure/magnetics/turned_moments.h"
 
 namespace magfsi::structure {
 
@@ -54,6 +56,8 @@ struct NodalLoads {
     double sources = 0, sources_s = 0;
     // Displacement of driven nodes, zero elsewhere; empty if no node is driven
     Eigen::VectorXd driven_m;
+    // Uniform field on a magnetisation that follows the rotation, which is no dead load
+    Eigen::Vector3d turning_t = Eigen::Vector3d::Zero();
 
     // True if nothing loads the body.
     bool none() const;
@@ -108,10 +112,20 @@ class StaticProblem {
         double total_j = 0;
         double smallest_j = 1;
         int element = -1;  // element of smallest J
+        // Largest share of the limit of an element that stiffens, and its element
+        double largest_share = 0;
+        int tight_element = -1;
+
+        // True if no element is inverted or stretched beyond its limit.
+        bool sound() const {
+            return smallest_j > 0 && largest_share <= largest_share_of_limit;
+        }
     };
     Response response(const Eigen::VectorXd& x, const NodalLoads& loads) const;
     // Forces of clamps and rollers on the nodes, zero where nothing holds.
     Eigen::VectorXd support_n(const Eigen::VectorXd& x, const NodalLoads& loads) const;
+    // Energy of the uniform field at x [J].
+    double field_j(const Eigen::VectorXd& x, const Vec3& field_t) const;
     // Sum of the dead loads and the forces of gradient, sources and platform [N].
     Eigen::VectorXd surrounding_n(const Eigen::VectorXd& x,
                                   const NodalLoads& loads) const;
@@ -159,6 +173,10 @@ class StaticProblem {
                         Eigen::VectorXd& force_n) const;
     double add_sources(const Eigen::VectorXd& x, const NodalLoads& loads,
                        Eigen::VectorXd& force_n) const;
+    // Adds the forces of the field on a magnetisation that follows the rotation; returns
+    // its energy [J].
+    double add_turning(const Eigen::VectorXd& x, const NodalLoads& loads,
+                       Eigen::VectorXd& force_n) const;
     // Field of the sources at each node at a time; sets the sources' time.
     std::vector<FieldSample> samples(const Eigen::VectorXd& x, double time_s) const;
     // Adds the forces of the platform; returns their energy [J].
@@ -173,6 +191,8 @@ class StaticProblem {
     std::vector<GradientElement> gradient_elements_;
     // Moment matrix of each element; empty without sources
     std::vector<Matrix8> moments_;
+    // Elements of a magnetisation that follows the rotation; else empty
+    std::vector<TurnedElement> turned_;
     std::vector<double> surface_m2_;  // share of each node; empty without a platform
     Eigen::Vector3d platform_normal_ = Eigen::Vector3d::Zero();
     // Values of the nodes; charge_ is q_a of eq. (6) [A m]

@@ -69,7 +69,7 @@ class BodyForce : protected LAMMPS_NS::Pointers {
     // Energies of one step, this rank's share.
     struct Turnover {
         double work_j = 0;  // work of the external field on the body
-        double lost_j = 0;  // dissipated by viscosity
+        double lost_j = 0;  // dissipated by viscosity or viscoelasticity
     };
 
     explicit BodyForce(LAMMPS_NS::LAMMPS* lammps) : Pointers(lammps) {}
@@ -86,6 +86,15 @@ class BodyForce : protected LAMMPS_NS::Pointers {
     virtual void minimize() { add(); }
     // Energy beside the elastic one, this rank's share, at the last forces [J].
     virtual double energy_j() const { return 0; }
+    // Energy stored in the material, which counts as elastic, likewise.
+    virtual double stored_j() { return 0; }
+
+    // Values that a force keeps with each node of the body, the same number for all; the
+    // fix moves them with the atoms between ranks and saves them in restarts. take_kept
+    // may come before the rebuild() that gives this rank the node's elements.
+    virtual int kept_values() const { return 0; }
+    virtual void write_kept(int /*node*/, double* /*values*/) const {}
+    virtual void take_kept(int /*node*/, const double* /*values*/) {}
 };
 
 // A keyword of fix magttice and the forces that it adds. make may throw
@@ -161,6 +170,13 @@ struct Effect {
 
 // All effects of this build, in the order of effects.inc.
 std::span<const Effect* const> effects();
+
+// The forces of Maxwell branches follow from the materials: no keyword for scripts.
+inline constexpr const char* force_of_branches = "viscoelasticity";
+
+// The forces of a keyword of fix magttice. Throws std::invalid_argument, with the
+// keywords that there are.
+const BodyForceStyle& body_force_style(const std::string& keyword);
 // The effects that this input asks for, in the same order.
 std::vector<const Effect*> asked_effects(const LammpsInput& input);
 // Group of the time integration: "all", or "moving" if an effect leaves nodes out.

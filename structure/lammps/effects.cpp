@@ -80,6 +80,17 @@ std::span<const Effect* const> effects() {
     return std::span(registered).first(std::size(registered) - 1);
 }
 
+const BodyForceStyle& body_force_style(const std::string& keyword) {
+    std::string allowed = "element, material, stiffening, branch";
+    for (const Effect* effect : effects()) {
+        if (effect->force.keyword == nullptr) continue;
+        const std::string own = effect->force.keyword;
+        if (keyword == own) return effect->force;
+        if (own != force_of_branches) allowed += ", " + own;
+    }
+    refuse("\"{}\" found; allowed are {}", keyword, allowed);
+}
+
 std::vector<const Effect*> asked_effects(const LammpsInput& input) {
     std::vector<const Effect*> asked;
     std::ranges::copy_if(effects(), std::back_inserter(asked),

@@ -15,11 +15,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <stdexcept>
 
 #include "base/words/path_word.h"
 #include "structure/lammps/lattice_file.h"
+#include "structure/lammps/material_words.h"
 #include "structure/lammps/register_styles.h"
+#include "structure/lattice/stiffening.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 
@@ -28,18 +31,6 @@ namespace {
 
 // Number of the first keyword: after ID, group, style, file, first atom, G and K.
 constexpr int first_keyword = 7;
-
-// The effect of a keyword. Throws std::invalid_argument, with the keywords that there
-// are.
-const BodyForceStyle& force_of(const std::string& keyword) {
-    std::string allowed = "element, material";
-    for (const Effect* effect : effects()) {
-        if (effect->force.keyword == nullptr) continue;
-        if (keyword == effect->force.keyword) return effect->force;
-        allowed += std::string(", ") + effect->force.keyword;
-    }
-    refuse("\"{}\" found; allowed are {}", keyword, allowed);
-}
 
 }  // namespace
 
@@ -50,14 +41,17 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
         fail(*error, who_ + " needs a lattice file, its first atom ID, G and K");
     }
     range_.first_id = LAMMPS_NS::utils::inumeric(FLERR, arg[4], false, lmp);
-    materials_.push_back(parse_material(arg + 5, 2));
+    materials_.push_back(read_material({arg + 5, 2}, lmp));
     try {
         std::vector<AskedForce> forces;
         for (int i = first_keyword; i < narg;)
             i += parse_keyword(narg - i, arg + i, forces);
         const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
         if (std::ranges::any_of(materials_, viscous))
-            forces.push_back({force_of("viscosity"), nullptr});
+            forces.push_back({body_force_style("viscosity"), nullptr});
+        const auto branched = [](const Material& m) { return !m.branches.empty(); };
+        if (std::ranges::any_of(materials_, branched))
+            forces.push_back({body_force_style(force_of_branches), nullptr});
         read_body(words::path_of_word(arg[3]), forces);
     } catch (const std::exception& cause) {
         fail(*error, "{}: {}", who_, cause.what());
@@ -67,15 +61,9 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
 
 FixMagttice::~FixMagttice() {
     delete[] extlist;
-}
-
-// Material of the values G and K and, if there are three, the viscosity.
-Material FixMagttice::parse_material(char** arg, int values) {
-    Material material;
-    material.shear_modulus_pa = number(arg[0], lmp);
-    material.lame_lambda_pa = number(arg[1], lmp);
-    if (values > 2) material.viscosity_pa_s = number(arg[2], lmp);
-    return material;
+    if (kept_ == 0) return;
+    atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
+    atom->delete_callback(id, LAMMPS_NS::Atom::RESTART);
 }
 
 // Force keywords are only collected: their forces need the lattice, which is read last.
@@ -97,10 +85,22 @@ int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& as
     }
     if (keyword == "material") {
         const int words = with(3);
-        materials_.push_back(parse_material(arg + 1, 3));
+        materials_.push_back(read_material({arg + 1, 3}, lmp));
         return words;
     }
-    const BodyForceStyle& found = force_of(keyword);
+    if (keyword == "branch") {
+        const int words = with(2);
+        materials_.back().branches.push_back({number(arg[1], lmp), number(arg[2], lmp)});
+        return words;
+    }
+    if (keyword == "stiffening") {
+        const std::span<char*> words(arg + 1, static_cast<std::size_t>(left - 1));
+        return 1 + read_stiffening(words, materials_.back());
+    }
+    if (keyword == force_of_branches)
+        refuse(
+            "\"viscoelasticity\" found; the branches of a material are given by branch");
+    const BodyForceStyle& found = body_force_style(keyword);
     const auto same = [&](const AskedForce& other) {
         return other.style.keyword == found.keyword;
     };
@@ -137,8 +137,14 @@ void FixMagttice::read_body(const std::string& file,
         by_first_[read.elements[e][0]].push_back(e);
     }
     const MagtticeBody body{who_, range_, lattice_, nodes_m_, read.magnetization_a_m};
-    for (const AskedForce& one : asked)
+    for (const AskedForce& one : asked) {
         forces_.push_back(one.style.make(lmp, body, one.values));
+        kept_ += forces_.back()->kept_values();
+    }
+    if (kept_ == 0) return;
+    restart_peratom = 1;
+    atom->add_callback(LAMMPS_NS::Atom::GROW);
+    atom->add_callback(LAMMPS_NS::Atom::RESTART);
 }
 
 int FixMagttice::setmask() {
@@ -245,6 +251,7 @@ void FixMagttice::add_elastic() {
         const KernelResult result = kernel_.add_forces(atom->x[0], atom->f[0]);
         smallest_j_ = result.smallest_j;
         if (!(result.smallest_j > 0)) refuse_inverted(result);
+        if (result.largest_share > largest_share_of_limit) refuse_tight(result);
     } else {
         smallest_j_ = INFINITY;
     }
@@ -282,6 +289,15 @@ void FixMagttice::refuse_inverted(const KernelResult& result) {
          result.element, update->ntimestep, j, place(result.element), remedy());
 }
 
+void FixMagttice::refuse_tight(const KernelResult& result) {
+    fail(*error,
+         "{}: element {} is stretched to {:.3g} % of the limit of its material (of I1 - "
+         "3) at step {}, {:.3g} % are allowed ({}); take weaker loads, a finer mesh or a "
+         "material with a larger limit",
+         who_, result.tight_element, 100 * result.largest_share, update->ntimestep,
+         100 * largest_share_of_limit, place(result.tight_element));
+}
+
 // Across a periodic side the nodes of an element are those nearest to its first one,
 // which are the wrong ones in a box of less than twice the element's length. Then no step
 // helps.
@@ -308,7 +324,10 @@ void FixMagttice::compute_energies() {
         energy_j_[0] =
             kernel_.add_forces_and_energy(atom->x[0], scratch_.data()).energy_j;
     }
-    for (const auto& added : forces_) energy_j_[1] += added->energy_j();
+    for (const auto& added : forces_) {
+        energy_j_[0] += added->stored_j();
+        energy_j_[1] += added->energy_j();
+    }
 }
 
 double FixMagttice::compute_scalar() {
@@ -350,6 +369,43 @@ void FixMagttice::restart(char* buffer) {
     std::memcpy(totals.data(), buffer, sizeof(totals));
     work_j_ = comm->me == 0 ? totals[0] : 0.0;
     lost_j_ = comm->me == 0 ? totals[1] : 0.0;
+}
+
+// Zeros for atoms of other bodies, since LAMMPS and checkpoints want rows of one width.
+int FixMagttice::pack_exchange(int i, double* buffer) {
+    std::fill_n(buffer, kept_, 0.0);
+    const int node = range_.node(atom->tag[i]);
+    for (const auto& added : forces_) {
+        if (node >= 0) added->write_kept(node, buffer);
+        buffer += added->kept_values();
+    }
+    return kept_;
+}
+
+int FixMagttice::unpack_exchange(int i, double* buffer) {
+    const int node = range_.node(atom->tag[i]);
+    for (const auto& added : forces_) {
+        if (node >= 0) added->take_kept(node, buffer);
+        buffer += added->kept_values();
+    }
+    return kept_;
+}
+
+// The first value of an atom's data is their number, as LAMMPS requires.
+int FixMagttice::pack_restart(int i, double* buffer) {
+    buffer[0] = size_restart(i);
+    return 1 + pack_exchange(i, buffer + 1);
+}
+
+// Data of atom->extra: each fix has its own block, the nth of which is this one's.
+void FixMagttice::unpack_restart(int i, int nth) {
+    double* values = atom->extra[i];
+    for (int skipped = 0; skipped < nth; ++skipped) values += static_cast<int>(*values);
+    unpack_exchange(i, values + 1);
+}
+
+int FixMagttice::size_restart(int) {
+    return 1 + kept_;
 }
 
 void* FixMagttice::extract(const char* name, int& dimension) {

@@ -36,6 +36,15 @@ class FixMagttice : public LAMMPS_NS::Fix {
     void write_restart(FILE* file) override;
     void restart(char* buffer) override;
     double memory_usage() override;
+    // What forces keep with the nodes. Without any, the fix takes no part in exchanges.
+    void grow_arrays(int) override {}
+    void copy_arrays(int, int, int) override {}
+    int pack_exchange(int i, double* buffer) override;
+    int unpack_exchange(int i, double* buffer) override;
+    int pack_restart(int i, double* buffer) override;
+    void unpack_restart(int i, int nth) override;
+    int size_restart(int i) override;
+    int maxsize_restart() override { return 1 + kept_; }
     // "work_share", "lost_share": pointer to this rank's share of the field's work, or of
     // the energy lost to viscosity [J].
     void* extract(const char* name, int& dimension) override;
@@ -60,7 +69,6 @@ class FixMagttice : public LAMMPS_NS::Fix {
     // Reads one keyword and its values from the `left` remaining words; returns their
     // number.
     int parse_keyword(int left, char** arg, std::vector<AskedForce>& asked);
-    Material parse_material(char** arg, int values);
     // Reads the lattice file, builds the lattice and makes the forces.
     void read_body(const std::string& file, const std::vector<AskedForce>& asked);
     // Renews the element tables after a change of the atoms' indices or ranks.
@@ -71,6 +79,8 @@ class FixMagttice : public LAMMPS_NS::Fix {
     std::string place(int element) const;
     // Ends the run with the element, its J, its place and a remedy.
     void refuse_inverted(const KernelResult& result);
+    // Ends the run with an element that is stretched beyond its material's limit.
+    void refuse_tight(const KernelResult& result);
     std::string remedy() const;
     void compute_energies();
 
@@ -81,6 +91,7 @@ class FixMagttice : public LAMMPS_NS::Fix {
     std::vector<std::vector<int>> by_first_;  // elements by their first node
     ElementKernel kernel_;
     std::vector<std::unique_ptr<BodyForce>> forces_;
+    int kept_ = 0;  // values that the forces keep with each node
 
     ElementVariant variant_ = ElementVariant::assumed_strain;
     std::vector<Material> materials_;  // numbered as in the lattice file

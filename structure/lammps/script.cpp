@@ -9,6 +9,7 @@
 #include "structure/body.h"
 #include "structure/lammps/effect.h"
 #include "structure/lammps/lattice_file.h"
+#include "structure/lammps/material_words.h"
 #include "structure/lammps/names.h"
 #include "structure/refuse.h"
 
@@ -75,7 +76,9 @@ Assembly assemble(const LammpsInput& input) {
     for (std::size_t i = 0; i < input.bodies.size(); ++i) {
         Placement placement =
             input.placements.empty() ? Placement{} : input.placements[i];
-        add_body(all, input.bodies[i], placed_nodes(input.bodies[i], placement, plane));
+        add_body(all, input.bodies[i],
+                 input.start_m.empty() ? placed_nodes(input.bodies[i], placement, plane)
+                                       : input.start_m[i]);
         placement.relaxed.reset();
         for (const Vec3& x : placed_nodes(input.bodies[i], placement, plane))
             all.bounds.add(x);
@@ -127,10 +130,12 @@ void add_lattices(LammpsScript& script, const LammpsInput& input, const Assembly
         for (const Effect* effect : asked_effects(input)) {
             if (effect->body_words) line += effect->body_words(input, body);
         }
+        line += material_words(body.material);
         for (const Material& other : body.other_materials) {
             line +=
                 fmt::format(" material {:.17g} {:.17g} {:.17g}", other.shear_modulus_pa,
                             other.lame_lambda_pa, other.viscosity_pa_s);
+            line += material_words(other);
         }
         script.setup.push_back(line);
     }

@@ -32,6 +32,9 @@ struct LammpsInput {
     std::vector<Body> bodies;
     // One per body, or none: bodies start where their meshes are
     std::vector<Placement> placements;
+    // Positions of the nodes at time 0 [m], one list per body, in place of the
+    // placements; or none
+    std::vector<std::vector<Vec3>> start_m;
     std::optional<FieldProgram> field;
     std::optional<GradientInput> gradient;  // independent of `field`
     std::vector<FieldSource> sources;       // independent of `field`

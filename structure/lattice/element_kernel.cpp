@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "structure/lattice/packing.h"
+#include "structure/lattice/stiffening.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -20,77 +22,8 @@ KernelKind kind_of(const Lattice& lattice) {
                           : KernelKind::general_assumed_strain;
 }
 
-// The soft elements, all in a body without rigid parts, and their nodes.
-struct SoftElements {
-    std::vector<int> number;
-    std::vector<std::array<int, 8>> nodes;
-};
-SoftElements soft_elements(const Lattice& lattice) {
-    SoftElements soft;
-    for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
-        if (!lattice.element_rigid.empty() && lattice.element_rigid[e] >= 0) continue;
-        soft.number.push_back(static_cast<int>(e));
-        soft.nodes.push_back(lattice.elements[e]);
-    }
-    return soft;
-}
-
-std::size_t batch_count(std::size_t elements) {
-    return (elements + batch_lanes - 1) / batch_lanes;
-}
-
-// Node indices in the order [batch][node][lane]. Lanes past the last element repeat it.
-std::vector<NodeLanes> pack_nodes(std::span<const std::array<int, 8>> nodes) {
-    std::vector<NodeLanes> out(batch_count(nodes.size()) * 4);
-    for (std::size_t position = 0; position < out.size() * 2; ++position) {
-        const auto& element = nodes[std::min(position, nodes.size() - 1)];
-        const std::size_t batch = position / batch_lanes;
-        for (std::size_t a = 0; a < 8; ++a) {
-            out[batch * 4 + a / 2].lane[(a % 2) * batch_lanes + position % batch_lanes] =
-                element[a];
-        }
-    }
-    return out;
-}
-
-// Values of value(element, entry) in the order [batch][entry][lane]. Lanes past the last
-// element repeat it.
-template <class Value>
-std::vector<Lanes> pack_lanes(std::span<const int> elements, std::size_t entries,
-                              const Value& value) {
-    std::vector<Lanes> out(batch_count(elements.size()) * entries);
-    if (entries == 0) return out;
-    for (std::size_t row = 0; row < out.size(); ++row) {
-        for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
-            const std::size_t position = row / entries * batch_lanes + lane;
-            const int element = elements[std::min(position, elements.size() - 1)];
-            out[row].lane[lane] = value(element, row % entries);
-        }
-    }
-    return out;
-}
-
 constexpr std::array<ViscousKernelFunction, 3> viscous_functions{
     &sse2::run_viscous, &avx2::run_viscous, &avx512::run_viscous};
-
-// Entry k of the data that the viscous kernel reads for a brick: volume, gradient,
-// metric.
-double brick_entry(const ElementModes& modes, std::size_t k) {
-    // The non-zero entries: B_x of the mode x, B_y of y, B_z of z, in rows 0, 1 and 3 of
-    // the gradient.
-    constexpr std::array<std::size_t, 3> diagonal{0, 4, 11};
-    if (k == 0) return modes.volume;
-    if (k < 4) return modes.gradient[diagonal[k - 1]];
-    return modes.metric[brick_metric_entries[k - 4]];
-}
-
-// Entry k for a general element: volume, gradient, metric, offsets.
-double general_entry(const ElementModes& modes, std::size_t k) {
-    if (k == 0) return modes.volume;
-    if (k < 22) return modes.gradient[k - 1];
-    if (k < 31) return modes.metric[k - 22];
-    return modes.offset[k - 31];
-}
 
 // NaN is refused as well: no comparison with it is true.
 void check_viscosity(const Material& material) {
@@ -147,6 +80,7 @@ ElementKernel::Part ElementKernel::pack(const Lattice& lattice,
             }
             return k < 9 ? modes.metric[k] : modes.offset[k - 9];
         });
+    if (stiffens(wanted.material)) part.stiffening = stiffening_law(wanted.material);
     part.volume =
         lanes(1, [](const ElementModes& modes, std::size_t) { return modes.volume; });
     return part;
@@ -161,6 +95,10 @@ KernelResult ElementKernel::run(const double* x, double* f, bool energy) const {
         if (next.smallest_j < all.smallest_j) {
             all.smallest_j = next.smallest_j;
             all.element = next.element;
+        }
+        if (next.largest_share > all.largest_share) {
+            all.largest_share = next.largest_share;
+            all.tight_element = next.tight_element;
         }
     }
     return all;
@@ -179,9 +117,13 @@ KernelResult ElementKernel::run(const Part& part, const double* x, double* f,
     batches.volume = part.volume.front().lane;
     batches.shear_modulus_pa = part.material.shear_modulus_pa;
     batches.lame_lambda_pa = part.material.lame_lambda_pa;
+    batches.stiffening = part.stiffening ? &*part.stiffening : nullptr;
     KernelResult result = function_(batches, x, f, energy);
     if (result.element >= 0) {
         result.element = part.elements[result.element];
+    }
+    if (result.tight_element >= 0) {
+        result.tight_element = part.elements[result.tight_element];
     }
     return result;
 }
@@ -209,8 +151,7 @@ void ViscousKernel::assign(const Lattice& lattice, std::span<const int> elements
         part.data = pack_lanes(
             wanted.elements, static_cast<std::size_t>(viscous_entries(bricks_)),
             [&](int element, std::size_t k) {
-                const ElementModes& modes = lattice.modes[element];
-                return bricks_ ? brick_entry(modes, k) : general_entry(modes, k);
+                return viscous_entry(lattice.modes[element], bricks_, k);
             });
     }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,8 +37,7 @@ class ElementKernel {
     void assign(const Lattice& lattice);
 
     // Adds the elastic forces [N] at the positions x [m], three values per node. In the
-    // result, `element` is the lattice's number of the element of smallest J, -1 without
-    // elements.
+    // result, elements have the lattice's numbers.
     KernelResult add_forces(const double* x, double* f) const { return run(x, f, false); }
     // The same; the result also has the energy.
     KernelResult add_forces_and_energy(const double* x, double* f) const {
@@ -54,6 +54,7 @@ class ElementKernel {
         std::vector<int> elements;
         std::vector<NodeLanes> nodes;
         std::vector<Lanes> spring, gradient, hourglass, volume;
+        std::optional<StiffeningLaw> stiffening;
     };
     Part pack(const Lattice& lattice, MaterialPart wanted) const;
     KernelResult run(const double* x, double* f, bool energy) const;

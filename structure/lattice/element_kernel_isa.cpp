@@ -29,6 +29,37 @@ MAGFSI_INLINE void spring_modes(const double* spring, const Vec (&u)[8], Vec (&g
     }
 }
 
+// Strain stiffening of an element: its energy over G V0 / 2, and (I1 - 3) over its limit.
+struct Stiffened {
+    Real integral, share;
+};
+
+// Factor of springs and hourglass energy by the law, and the terms of Stiffened.
+// quarter_j: a quarter of their neo-Hookean energy.
+MAGFSI_INLINE Real stiffening_factor(const ElementBatches& b, const Real& v0,
+                                     const Real& quarter_j, Stiffened& out) {
+    const StiffeningLaw& law = *b.stiffening;
+    const Real s = quarter_j * (8.0 / b.shear_modulus_pa) / v0 - 3.0;
+    const Real end = splat(law.straight_from);
+    const Real inside = s < end ? s : end;
+    const Real over = s - inside;
+    const Real room = splat(1.0) / (splat(law.limit) - inside);
+    Real value = {}, slope = {}, integral = {};
+    for (int k = stiffening_coefficients - 1; k >= 0; --k) {
+        slope = slope * inside + value;
+        value = value * inside + splat(law.coefficient[k]);
+        integral = integral * inside + splat(law.coefficient[k] / (k + 1));
+    }
+    value += law.pole * room;
+    slope += law.pole * room * room;
+    const Real share = s * (1 / law.limit);
+    out.share = share;
+    out.integral = integral * inside -
+                   law.pole * log_positive(1.0 - inside * (1 / law.limit)) +
+                   over * (value + 0.5 * slope * over);
+    return value + slope * over;
+}
+
 // Volume term U = V0 (K/2 ln^2 J - G ln J) of an element: J, ln J and the slope.
 struct VolumeTerm {
     Real j, log_j, slope;  // slope = dU/dJ / V0 [Pa]
@@ -180,26 +211,38 @@ MAGFSI_INLINE Real hourglass(const ElementBatches& b, const double* metric,
     return dot(stress, strain);
 }
 
+// Scales the forces of springs and hourglass vectors in g by the law.
+MAGFSI_INLINE Real stiffen(const ElementBatches& b, const Real& v0, const Real& springs,
+                           Vec (&g)[8], Stiffened& law) {
+    const Real factor = stiffening_factor(b, v0, springs, law);
+    for (int m = 1; m < 8; ++m) g[m] = factor * g[m];
+    return factor;
+}
+
 // Volume term and hourglass energy of a brick. Adds a quarter of the hourglass energy to
 // `springs`.
+template <bool stiffened>
 MAGFSI_INLINE VolumeTerm assumed_strain_of_brick(const ElementBatches& b,
                                                  const double* data, const Real& v0,
                                                  const Vec (&u)[8], Vec (&g)[8],
-                                                 Real& springs) {
+                                                 Real& springs, Stiffened& law) {
     const Vec v[3] = {u[3], u[5], u[6]};
     Vec w[3];
     springs += hourglass<true>(b, data, v0, u, v, g, w);
     g[3] = g[3] + w[0];
     g[5] = g[5] + w[1];
     g[6] = g[6] + w[2];
+    if constexpr (stiffened) stiffen(b, v0, springs, g, law);
     return mean_volume_of_brick(b, v0, u, g);
 }
 
 // The same for a general element, where the part of a homogeneous deformation is taken
 // off the hourglass vectors first: v_j = u_j - F X_j.
+template <bool stiffened>
 MAGFSI_INLINE VolumeTerm assumed_strain(const ElementBatches& b, const double* gradient,
                                         const double* data, const Real& v0,
-                                        const Vec (&u)[8], Vec (&g)[8], Real& springs) {
+                                        const Vec (&u)[8], Vec (&g)[8], Real& springs,
+                                        Stiffened& law) {
     Vec f[3];
     mean_gradient(gradient, u, f);
     const double* offset = data + 9 * batch_lanes;
@@ -212,12 +255,17 @@ MAGFSI_INLINE VolumeTerm assumed_strain(const ElementBatches& b, const double* g
     g[6] = g[6] + w[2];
     Vec stress[3] = {};
     return_linear(offset, w, stress);
+    if constexpr (stiffened) {
+        const Real factor = stiffen(b, v0, springs, g, law);
+        for (Vec& column : stress) column = factor * column;
+    }
     const VolumeTerm term = mean_volume(b, v0, f, stress);
     add_stress(gradient, stress, g);
     return term;
 }
 
-// Smallest J of each lane and the batch, as a double, in which it was found.
+// Smallest J of each lane and the batch, as a double, in which it was found. The largest
+// share of a limit is kept with its sign reversed.
 struct Smallest {
     Real j, batch;
 };
@@ -232,39 +280,47 @@ MAGFSI_INLINE void note_smallest(Smallest& smallest, const Real& j, double batch
 
 // Energy of the elements. springs: a quarter of the energy of springs and hourglass
 // vectors.
+template <bool stiffened>
 MAGFSI_INLINE Real energy_of(const ElementBatches& b, const Real& v0, const Real& springs,
-                             const VolumeTerm& term) {
+                             const VolumeTerm& term, const Stiffened& law) {
+    if constexpr (stiffened) {
+        return v0 *
+               (0.5 * b.shear_modulus_pa * law.integral +
+                term.log_j * (0.5 * b.lame_lambda_pa * term.log_j - b.shear_modulus_pa));
+    }
     return 4.0 * springs - 1.5 * b.shear_modulus_pa * v0 +
            v0 * term.log_j * (0.5 * b.lame_lambda_pa * term.log_j - b.shear_modulus_pa);
 }
 
 // Adds the forces of the volume term and, for assumed_strain, those of the hourglass
 // energy, a quarter of which is added to `springs`.
-template <KernelKind kind>
+template <KernelKind kind, bool stiffened>
 MAGFSI_INLINE VolumeTerm beyond_springs(const ElementBatches& b, long batch, int lane,
                                         const Real& v0, const Vec (&u)[8], Vec (&g)[8],
-                                        Real& springs) {
+                                        Real& springs, Stiffened& law) {
     const auto of_batch = [batch, lane](const double* data, int entries) {
         return data + batch * entries * batch_lanes + lane;
     };
     if constexpr (kind == KernelKind::brick_full || kind == KernelKind::general_full) {
+        if constexpr (stiffened) stiffen(b, v0, springs, g, law);
         return exact_volume(b, v0, u, g);
     } else {
         const double* data = of_batch(b.hourglass, hourglass_entries(kind));
         if constexpr (is_brick(kind)) {
-            return assumed_strain_of_brick(b, data, v0, u, g, springs);
+            return assumed_strain_of_brick<stiffened>(b, data, v0, u, g, springs, law);
         } else {
-            return assumed_strain(b, of_batch(b.gradient, gradient_entries(kind)), data,
-                                  v0, u, g, springs);
+            return assumed_strain<stiffened>(b,
+                                             of_batch(b.gradient, gradient_entries(kind)),
+                                             data, v0, u, g, springs, law);
         }
     }
 }
 
 // One batch: takes the positions of the nodes in u and leaves the forces there; returns
 // J.
-template <KernelKind kind, bool want_energy>
+template <KernelKind kind, bool want_energy, bool stiffened>
 MAGFSI_INLINE Real element(const ElementBatches& b, long batch, int lane, Vec (&u)[8],
-                           Real& energy) {
+                           Real& energy, Stiffened& law) {
     constexpr bool brick = is_brick(kind);
     constexpr int entries = brick ? 7 : 28;
     const double* spring = b.spring + batch * entries * batch_lanes + lane;
@@ -274,11 +330,12 @@ MAGFSI_INLINE Real element(const ElementBatches& b, long batch, int lane, Vec (&
     Vec g[8];
     spring_modes<brick>(spring, u, g);
     Real springs = {};
-    if constexpr (want_energy) {
+    if constexpr (want_energy || stiffened) {
         for (int m = 1; m < 8; ++m) springs += dot(g[m], u[m]);
     }
-    const VolumeTerm term = beyond_springs<kind>(b, batch, lane, v0, u, g, springs);
-    if constexpr (want_energy) energy = energy_of(b, v0, springs, term);
+    const VolumeTerm term =
+        beyond_springs<kind, stiffened>(b, batch, lane, v0, u, g, springs, law);
+    if constexpr (want_energy) energy = energy_of<stiffened>(b, v0, springs, term, law);
     u[0] = {Real{}, Real{}, Real{}};
     for (int m = 1; m < 8; ++m) u[m] = splat(-1.0) * g[m];
     to_nodes(u);
@@ -301,10 +358,12 @@ KernelResult first_smallest(const Smallest (&smallest)[batch_lanes / width]) {
 }
 
 // All batches in order. Lanes past the last element repeat it and add nothing.
-template <KernelKind kind, bool want_energy>
+template <KernelKind kind, bool want_energy, bool stiffened>
 KernelResult run(const ElementBatches& b, const double* x, double* f) {
-    Smallest smallest[batch_lanes / width];
+    Smallest smallest[batch_lanes / width], tightest[batch_lanes / width];
     for (Smallest& s : smallest) s = {splat(__builtin_inf()), Real{}};
+    if constexpr (stiffened)
+        for (Smallest& s : tightest) s = {Real{}, splat(-1)};
     double energy_sum = 0;
     const long batches = (b.element_count + batch_lanes - 1) / batch_lanes;
     for (long batch = 0; batch < batches; ++batch) {
@@ -315,8 +374,12 @@ KernelResult run(const ElementBatches& b, const double* x, double* f) {
             Vec u[8];
             for (int a = 0; a < 8; ++a) u[a] = gather_node(x, node + a * batch_lanes);
             Real energy = {};
-            const Real j = element<kind, want_energy>(b, batch, lane, u, energy);
+            Stiffened law;
+            const Real j =
+                element<kind, want_energy, stiffened>(b, batch, lane, u, energy, law);
             note_smallest(smallest[part], j, static_cast<double>(batch));
+            if constexpr (stiffened)
+                note_smallest(tightest[part], -law.share, static_cast<double>(batch));
             const int left = filled - lane;
             if (left >= width) {
                 for (int a = 0; a < 8; ++a) {
@@ -335,12 +398,21 @@ KernelResult run(const ElementBatches& b, const double* x, double* f) {
     KernelResult out = first_smallest(smallest);
     if (out.element >= b.element_count) out.element = b.element_count - 1;
     out.energy_j = energy_sum;
+    if constexpr (stiffened) {
+        const KernelResult tight = first_smallest(tightest);
+        out.largest_share = -tight.smallest_j;
+        out.tight_element =
+            tight.element < b.element_count ? tight.element : b.element_count - 1;
+        if (!(out.largest_share > 0)) out.tight_element = -1;
+    }
     return out;
 }
 
 template <KernelKind kind>
 KernelResult run(const ElementBatches& b, const double* x, double* f, bool energy) {
-    return energy ? run<kind, true>(b, x, f) : run<kind, false>(b, x, f);
+    if (b.stiffening)
+        return energy ? run<kind, true, true>(b, x, f) : run<kind, false, true>(b, x, f);
+    return energy ? run<kind, true, false>(b, x, f) : run<kind, false, false>(b, x, f);
 }
 
 }  // namespace

@@ -31,6 +31,19 @@ constexpr int hourglass_entries(KernelKind kind) {
                                                         : 0;
 }
 
+// Coefficients of a law of strain stiffening.
+inline constexpr int stiffening_coefficients = 10;
+
+// Factor of the springs and the hourglass energy of a material that stiffens
+// (stiffening.h), with s = I1 - 3:
+//   f(s) = pole / (limit - s) + sum_k coefficient[k] s^k,
+// and its tangent beyond s = straight_from. The initial values are the factor 1.
+struct StiffeningLaw {
+    double pole = 0;
+    double limit = 1e300, straight_from = 1e300;  // none
+    double coefficient[stiffening_coefficients] = {1};
+};
+
 // Elements of one material and kind. All arrays are 64-byte aligned in the order
 // [batch][entry][lane]. Lanes past the last element repeat it.
 struct ElementBatches {
@@ -45,6 +58,7 @@ struct ElementBatches {
     const double* volume = nullptr;  // 1 entry: V0 [m3]
     double shear_modulus_pa = 0;
     double lame_lambda_pa = 0;
+    const StiffeningLaw* stiffening = nullptr;  // null: neo-Hookean
 };
 
 // Result over all elements of a call.
@@ -54,6 +68,10 @@ struct KernelResult {
     // Position of the element of smallest J among the batches' elements; -1 without
     // elements
     int element = -1;
+    // Of elements that stiffen, the largest (I1 - 3) over its limit and its element, as
+    // above; 0 and -1 without any
+    double largest_share = 0;
+    int tight_element = -1;
 };
 
 // A kernel. Adds the forces [N] on the nodes to f, three values per node as in the
@@ -85,12 +103,50 @@ struct ViscousBatches {
 using ViscousKernelFunction = double (*)(const ViscousBatches& batches, const double* x,
                                          const double* v, double* f);
 
-// Each instruction set has both kernels in a namespace of its own.
+// Numbers that an element's strains and each of its Maxwell branches have
+// (maxwell_kernel.h): six of the mean F, nine of the hourglass vectors xy, xz, yz, three
+// of xyz.
+inline constexpr int maxwell_numbers = 18;
+
+// Factors of one branch for a step: the part of its strain that is left after it, the
+// part of the step's strain that it takes up, its modulus [Pa] and its rate 1 / time
+// [1/s].
+struct MaxwellFactors {
+    double decay = 1, gain = 0, modulus_pa = 0, rate_1_s = 0;
+};
+
+// Elements of one material with branches, in the layout of ElementBatches.
+struct MaxwellBatches {
+    bool bricks = true;
+    int element_count = 0;
+    const int* node = nullptr;
+    const double* data = nullptr;  // as ViscousBatches::data
+    // maxwell_numbers entries of the strains at the last positions, then as many of each
+    // branch
+    double* state = nullptr;
+    int branch_count = 0;
+    const MaxwellFactors* branches = nullptr;
+    double plate_lambda = 0;  // of a plate, over the modulus
+};
+
+// Result over all elements of a call.
+struct MaxwellResult {
+    double dissipation_w = 0;
+    double energy_j = 0;  // stored in the branches; zero if it was not requested
+};
+
+// A kernel. Takes the branches from the last positions to x and adds their forces [N].
+using MaxwellKernelFunction = MaxwellResult (*)(const MaxwellBatches& batches,
+                                                const double* x, double* f,
+                                                bool want_energy);
+
+// Each instruction set has the kernels in a namespace of its own.
 #define MAGFSI_KERNELS_OF(isa)                                                          \
     namespace isa {                                                                     \
     KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool); \
     double run_viscous(const ViscousBatches&, const double* x, const double* v,         \
                        double* f);                                                      \
+    MaxwellResult run_maxwell(const MaxwellBatches&, const double* x, double* f, bool); \
     }
 MAGFSI_KERNELS_OF(sse2)
 MAGFSI_KERNELS_OF(avx2)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "structure/lattice/element.h"
+#include "structure/lattice/stiffening.h"
 
 namespace magfsi::structure {
 
@@ -16,7 +17,8 @@ struct ElementState {
     Positions8 force_n;       // -dE/dx_a
 };
 
-// Energy of eq. (1), its derivative and J. x_m: present positions of the nodes.
+// Energy of eq. (1), or with the material's stiffening, its derivative and J. x_m:
+// present positions of the nodes.
 inline ElementState element_energy(const ElementReference& reference,
                                    const Material& material, const Positions8& x_m) {
     const double g = material.shear_modulus_pa;
@@ -31,6 +33,12 @@ inline ElementState element_energy(const ElementReference& reference,
     out.volume_ratio = v.volume_m3 / v0;
     const double log_j = std::log(out.volume_ratio);
     const double pressure = (k * log_j - g) / out.volume_ratio;  // dU/dJ [Pa]
+    if (stiffens(material)) {
+        const Distortion distorted = distortion(reference, material, x);
+        out.energy_j = distorted.energy_j + v0 * log_j * (0.5 * k * log_j - g);
+        out.force_n = -distorted.gradient_n - pressure * v.gradient_m2;
+        return out;
+    }
     out.energy_j = -0.5 * spring_force.cwiseProduct(x).sum() - 1.5 * g * v0 +
                    v0 * log_j * (0.5 * k * log_j - g);
     out.force_n = spring_force - pressure * v.gradient_m2;

@@ -8,7 +8,9 @@
 #include "structure/lattice/element.h"
 #include "structure/lattice/inertia.h"
 #include "structure/lattice/lattice.h"
+#include "structure/lattice/maxwell.h"
 #include "structure/lattice/rigid_mass.h"
+#include "structure/lattice/stiffening.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 
@@ -63,6 +65,24 @@ Matrix24 stiffness_at_rest(const ElementReference& reference, const Material& ma
     if (reference.variant == ElementVariant::assumed_strain) {
         out += hourglass_tangent(reference.hourglass, material, nodes_m);
     }
+    if (stiffens(material)) {  // the term of f'; f is 1
+        const Positions8 x = nodes_m.rowwise() - nodes_m.colwise().mean();
+        out += stiffening_tangent(reference, material, distortion(reference, material, x),
+                                  Matrix24::Zero());
+    }
+    return out;
+}
+
+// The part of it that stiffening scales: springs and hourglass energy.
+Matrix24 springs_at_rest(const ElementReference& reference, const Material& material,
+                         const Positions8& nodes_m) {
+    Matrix24 out = Matrix24::Zero();
+    if (reference.variant == ElementVariant::assumed_strain)
+        out = hourglass_tangent(reference.hourglass, material, nodes_m);
+    for (int d = 0; d < 3; ++d) {
+        out(Eigen::seqN(d, 8, 3), Eigen::seqN(d, 8, 3)) +=
+            material.shear_modulus_pa * reference.spring_matrix;
+    }
     return out;
 }
 
@@ -80,8 +100,14 @@ double element_step_s(const Positions8& x, ElementVariant variant,
     const ElementReference reference = element_reference(x, variant, number);
     Vector24 inverse_root_mass;
     for (int q = 0; q < 24; ++q) inverse_root_mass(q) = 1 / std::sqrt(masses_kg[q / 3]);
-    const double omega = std::sqrt(
-        largest_over_mass(stiffness_at_rest(reference, material, x), inverse_root_mass));
+    Matrix24 stiffness = stiffness_at_rest(reference, material, x);
+    if (!material.branches.empty()) {
+        // Branches resist an increment of strain as a viscosity does its rate.
+        Material unrelaxed = material;
+        unrelaxed.viscosity_pa_s = branch_modulus_pa(material);
+        stiffness += viscous_damping_at_rest(reference, unrelaxed, x);
+    }
+    const double omega = std::sqrt(largest_over_mass(stiffness, inverse_root_mass));
     if (material.viscosity_pa_s == 0) return 2 / omega;
     const double damping = largest_over_mass(
         viscous_damping_at_rest(reference, material, x), inverse_root_mass);
@@ -217,7 +243,29 @@ CurrentStep::CurrentStep(const Body& body) {
         element.lame_pa = material.lame_lambda_pa;
         element.shear_pa = material.shear_modulus_pa;
         element.at_rest_1_s2 = volume_term_1_s2(element, x);
+        if (!stiffens(material)) continue;
+        Vector24 inverse_root_mass;
+        for (int q = 0; q < 24; ++q)
+            inverse_root_mass(q) = std::sqrt(element.inverse_mass[q / 3]);
+        element.stiff = static_cast<int>(stiff_.size());
+        stiff_.push_back({reference, material,
+                          largest_over_mass(springs_at_rest(reference, material, x),
+                                            inverse_root_mass)});
+        element.at_rest_1_s2 += stiffening_1_s2(element, x);
     }
+}
+
+double CurrentStep::stiffening_1_s2(const Element& element, const Positions8& x_m) const {
+    if (element.stiff < 0) return 0;
+    const Stiff& stiff = stiff_[element.stiff];
+    const Positions8 x = x_m.rowwise() - x_m.colwise().mean();
+    const Distortion state = distortion(stiff.reference, stiff.material, x);
+    double slope = 0;
+    for (int a = 0; a < 8; ++a)
+        slope += state.unscaled_n.row(a).squaredNorm() * element.inverse_mass[a];
+    const double scale = stiff.material.shear_modulus_pa * stiff.reference.volume;
+    return (state.law.factor - 1) * stiff.springs_1_s2 +
+           2 * std::max(state.law.slope, 0.0) / scale * slope;
 }
 
 double CurrentStep::volume_term_1_s2(const Element& element, const Positions8& x_m) {
@@ -239,7 +287,8 @@ double CurrentStep::rise_1_s2(std::span<const Vec3> nodes_m) const {
     double largest = 0;
     for (const Element& element : elements_) {
         const Positions8 x = local_positions(nodes_m, element.nodes);
-        largest = std::max(largest, volume_term_1_s2(element, x) - element.at_rest_1_s2);
+        const double now = volume_term_1_s2(element, x) + stiffening_1_s2(element, x);
+        largest = std::max(largest, now - element.at_rest_1_s2);
     }
     return largest;
 }

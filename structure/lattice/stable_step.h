@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "structure/body.h"
+#include "structure/lattice/element.h"
 #include "structure/lattice/hexahedron.h"
 
 namespace magfsi::structure {
@@ -25,6 +26,8 @@ namespace magfsi::structure {
 // damping force at the velocity of half a step before. With c the largest eigenvalue of
 // the element's damping matrix over its mass, the step h must satisfy h^2 omega^2 + 2 h c
 // <= 4, that is h = 2 / omega (sqrt(1 + z^2) - z) with z = c / (2 omega).
+//
+// Maxwell branches add their stiffness at once, whatever their times (maxwell.h).
 double stable_step_s(const Body& body);
 
 // The stable step with all viscosities set to zero [s].
@@ -47,6 +50,10 @@ double step_limit_s(const Body& body, double stiffness_pa_m);
 // volume, since its faces grow. The square of the body's highest frequency rises by no
 // more than the largest rise of r in an element. The contribution of the pressure, p d2V,
 // is left out and is covered by the margin of the step. Held elements do not count.
+//
+// Where a material stiffens (stiffening.h), springs and hourglass energy are f times as
+// stiff, and the term of f' has rank one, too: to r come (f - 1) times their largest
+// eigenvalue at rest and 2 f' / (G V0) sum_a |dE0/dx_a|^2 / m_a.
 class CurrentStep {
   public:
     // Computes r at rest. Throws as stable_step_s does. Takes about 300 bytes per
@@ -70,11 +77,21 @@ class CurrentStep {
         std::array<double, 8> inverse_mass{};
         double lame_pa = 0, shear_pa = 0;
         double at_rest_1_s2 = 0;
+        int stiff = -1;  // index in stiff_, if the material stiffens
+    };
+    // What an element of a material that stiffens needs besides.
+    struct Stiff {
+        ElementReference reference;
+        Material material;
+        double springs_1_s2 = 0;  // largest eigenvalue of springs and hourglass energy
     };
     // The present r of an element [1/s2]; infinite if J is not positive.
     static double volume_term_1_s2(const Element& element, const Positions8& x_m);
+    // What stiffening adds to it [1/s2].
+    double stiffening_1_s2(const Element& element, const Positions8& x_m) const;
 
     std::vector<Element> elements_;
+    std::vector<Stiff> stiff_;
 };
 
 }  // namespace magfsi::structure

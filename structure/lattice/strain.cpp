@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/lattice/stiffening.h"
+
 namespace magfsi::structure {
 
 Eigen::Matrix3d mean_deformation(const Positions8& x_m,
@@ -30,7 +32,10 @@ std::array<double, 6> cauchy_stress_pa(const Material& material,
     if (!(j > 0)) return {};
     const double g = material.shear_modulus_pa, k = material.lame_lambda_pa;
     const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d s = (g * (f * f.transpose() - one) + k * std::log(j) * one) / j;
+    Eigen::Matrix3d left = f * f.transpose();
+    if (stiffens(material))
+        left *= stiffening_at(stiffening_law(material), left.trace() - 3).factor;
+    const Eigen::Matrix3d s = (g * (left - one) + k * std::log(j) * one) / j;
     return {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
 }
 

@@ -19,6 +19,7 @@ Vec3 principal_stretches(const Eigen::Matrix3d& f);
 
 // Cauchy stress of eq. (1) in a homogeneous state, sigma = P F^T / J with P = dW/dF:
 //   sigma = (G (F F^T - 1) + K ln J 1) / J  [Pa],
+// with F F^T times 2 W' / G for a material that stiffens,
 // zero if J is not positive. The order is VTK's for six components: xx, yy, zz, xy, yz,
 // xz.
 std::array<double, 6> cauchy_stress_pa(const Material& material,

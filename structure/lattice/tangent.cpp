@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "structure/lattice/stiffening.h"
+
 namespace magfsi::structure {
 namespace {
 
@@ -116,8 +118,14 @@ Matrix24 element_tangent(const ElementReference& reference, const Material& mate
     Matrix24 out =
         element_tangent(reference, material, volume,
                         volumetric_stress(material, volume.volume_m3 / reference.volume));
+    Matrix24 hourglass = Matrix24::Zero();
     if (reference.variant == ElementVariant::assumed_strain) {
-        out += hourglass_tangent(reference.hourglass, material, x);
+        hourglass = hourglass_tangent(reference.hourglass, material, x);
+        out += hourglass;
+    }
+    if (stiffens(material)) {
+        out += stiffening_tangent(reference, material, distortion(reference, material, x),
+                                  hourglass);
     }
     return out;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tangent stiffness of one element: the second derivative of eq. (1).
+// Tangent stiffness of one element: the second derivative of eq. (1), or of the energy
+// with the material's stiffening.
 #pragma once
 
 #include <Eigen/Dense>
@@ -30,7 +31,7 @@ VolumetricStress volumetric_stress(const Material& material, double volume_ratio
 
 // Tangent of springs and volume term: G L (x) I + p d2V + modulus/V0 dV dV^T [N/m]. With
 // p = dU/dJ of the same J it is the second derivative of the energy; the mixed iteration
-// passes a pressure of its own. The hourglass energy is not included.
+// passes a pressure of its own. Hourglass energy and stiffening are not included.
 Matrix24 element_tangent(const ElementReference& reference, const Material& material,
                          const VolumeDerivatives& volume, const VolumetricStress& stress);
 

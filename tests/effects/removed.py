@@ -74,7 +74,9 @@ def output(name, *files, absent=None, alone=(), coupled=()):
 BOTH = (STRUCTURE, FLUID)
 EFFECTS = {
     "viscosity": of_structure("viscosity", **{"bodies.strip.material.viscosity": "null"}),
+    "viscoelasticity": of_structure("viscoelasticity"),
     "magnetic_field": of_structure("magnetic_field", magnetic_field="null"),
+    "turning_magnetization": of_structure("turning_magnetization"),
     "field_gradient": of_structure("field_gradient", **{"magnetic_field.gradient": "null"}),
     "field_sources": of_structure("field_sources"),
     "dipoles": of_structure("dipoles"),

@@ -55,7 +55,7 @@ class Checkout:
 class Help(unittest.TestCase):
     def test_it_lists_every_command_with_a_line(self):
         text = call("--help").stdout
-        listed = dict(re.findall(r"^  (\w+) +(\S.*)$", text, re.M))
+        listed = dict(re.findall(r"^  ([\w-]+) +(\S.*)$", text, re.M))
         package = testing.ROOT / "adapters/python/magfsi"
         modules = {path.parent.name for path in package.glob("*/__main__.py")} | {
             path.stem for path in package.glob("*.py") if "__name__ ==" in path.read_text()}
@@ -66,6 +66,7 @@ class Help(unittest.TestCase):
         programs = re.findall(r"^  (\w+) {2,}", words.stdout.split("Subcommands:")[1], re.M)
         self.assertGreaterEqual(len(programs), 5)
         for word in [*modules, *programs, "bench", "lammps", "test", "python", "new", "build"]:
+            word = word.replace("_", "-")
             self.assertIn(word, listed, f"{word} is a command that --help does not list")
         for line in text.splitlines():
             self.assertLessEqual(len(line), 110, line)

@@ -31,6 +31,7 @@ cost|module|the error bars of a scene, and what 10, 5, 2 and 1 % cost
 study|module|a scene over a product of settings: error against seconds
 witness|module|a run's plane flow again by OpenFOAM on a mesh fitted to the body: agreement with bars
 optimize|module|the best settings of a scene for an objective
+fit-material|module|elastic constants and Maxwell branches from measured curves, as YAML with a plot
 =other programs
 lammps|own|LAMMPS with the magttice's styles, for plain input scripts
 lattice|program|bodies of a scene as files for such scripts; of a lattice file, a mesh for a scene
@@ -56,7 +57,7 @@ help() {
             continue
         fi
         IFS='|' read -r word kind meaning <<<"$line"
-        printf '  %-11s %s\n' "$word" "$meaning"
+        printf '  %-12s %s\n' "$word" "$meaning"
     done <<<"$command_table"
 }
 
@@ -175,7 +176,7 @@ help_of() {
             say "its options are listed once the programs are built: ./magfsi build"
             ;;
         # -B: not even bytecode is written.
-        module) exec $python -P -B -m "magfsi.$1" --help ;;
+        module) exec $python -P -B -m "magfsi.${1//-/_}" --help ;;
         *) echo "magfsi $1: $(meaning_of "$1")" ;;
     esac
 }
@@ -209,7 +210,7 @@ dispatch() {
     [ "$word" != run ] || export MAGFSI_PAGE=${MAGFSI_PAGE:-yes}
     case "$(kind_of "$word")" in
         program) exec "$MAGFSI_BIN/magfsi" "$word" "$@" ;;
-        module) exec $python -P -m "magfsi.$word" "$@" ;;
+        module) exec $python -P -m "magfsi.${word//-/_}" "$@" ;;
         *) "command_$word" "$@" ;;
     esac
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/solvers/bodies/field_work.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "structure/lammps/field_program.h"
@@ -13,6 +14,11 @@ FieldForces::FieldForces(const structure::Body& body, const scene::MagneticField
                                            body.magnetization_a_m)),
       elements_(body.mesh.elements) {
     if (body.magnetization_a_m.empty()) return;
+    if (structure::is_turned(body)) {
+        turned_ = structure::turned_elements(body.mesh.nodes, elements_,
+                                             body.magnetization_a_m);
+        std::ranges::fill(charge_a_m_, 0.0);
+    }
     if (field.gradient) {
         gradient_.emplace(*field.gradient);
         gradient_elements_ = structure::gradient_elements(body.mesh.nodes, elements_,
@@ -30,6 +36,9 @@ std::vector<Vec3> FieldForces::at(std::span<const Vec3> nodes_m, double time_s,
     std::vector<Vec3> out(nodes_m.size());
     for (std::size_t n = 0; n < out.size(); ++n) out[n] = charge_a_m_[n] * field_t;
     const double* x = nodes_m.front().data();
+    if (!turned_.empty())
+        structure::add_turned_forces(turned_, elements_, Eigen::Vector3d(field_t.data()),
+                                     x, out.front().data());
     if (gradient_)
         structure::add_gradient_forces(gradient_elements_, elements_, *gradient_, x,
                                        out.front().data());

@@ -9,6 +9,7 @@
 #include "adapters/scene/scene.h"
 #include "structure/body.h"
 #include "structure/magnetics/magnetic_forces.h"
+#include "structure/magnetics/turned_moments.h"
 
 namespace magfsi::bodies {
 
@@ -35,6 +36,8 @@ class FieldForces {
     scene::MagneticField field_;
     std::vector<double> charge_a_m_;  // magnetic charge q_a of each node [A m]
     std::vector<structure::Hexahedron> elements_;
+    // Elements of a magnetisation that follows the rotation, whose nodes have no charges
+    std::vector<structure::TurnedElement> turned_;
     std::optional<structure::FieldGradient> gradient_;
     // One entry for each element; empty if the field has no gradient.
     std::vector<structure::GradientElement> gradient_elements_;

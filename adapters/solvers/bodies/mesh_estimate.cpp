@@ -103,6 +103,7 @@ structure::Body refined_body(const scene::Body& body, const structure::Body& sol
     const std::size_t children = mesh.elements.size() / solid.mesh.elements.size();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e)
         out.magnetization_a_m.push_back(solid.magnetization_a_m[e / children]);
+    out.follows = solid.follows;
     return out;
 }
 
@@ -217,6 +218,29 @@ MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& b
             structure::displacement_error(at(solid.mesh, here_m, point.at_m), right_m));
     }
     return out;
+}
+
+std::optional<double> difference_of_follows(const scene::Scene& scene,
+                                            const structure::Body& solid) {
+    const auto& field = scene.magnetic_field;
+    if (!field || field->gradient || !field->sources.empty() || scene.dipoles ||
+        solid.magnetization_a_m.empty() || solid.mesh.elements.size() > most_elements)
+        return {};
+    const Loads loads = loads_of(scene, solid);
+    if (norm(loads.loads.field_t) == 0) return {};
+    structure::Body other = solid;
+    other.follows = structure::is_turned(solid)
+                        ? structure::MagnetizationFollows::deformation
+                        : structure::MagnetizationFollows::rotation;
+    const auto here_m = response_of(solid, loads.loads);
+    const auto there_m = response_of(other, loads.loads);
+    double largest = 0, apart = 0;
+    for (std::size_t n = 0; n < here_m.size(); ++n) {
+        largest = std::max(largest, norm(here_m[n]));
+        apart = std::max(apart, norm(there_m[n] - here_m[n]));
+    }
+    if (largest == 0) return {};
+    return apart / largest;
 }
 
 }  // namespace magfsi::bodies

@@ -3,6 +3,7 @@
 // displacements.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,5 +44,12 @@ struct MeshEstimate {
 // to_body of `body`.
 MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& body,
                                  const structure::Body& solid);
+
+// Largest difference of a node's displacement between a magnetisation that follows the
+// deformation and one that follows the rotation, over the largest displacement, in the
+// linear response to the strongest uniform field and the weight. Nothing where the body
+// has no field, or not a uniform one alone, or too many elements.
+std::optional<double> difference_of_follows(const scene::Scene& scene,
+                                            const structure::Body& solid);
 
 }  // namespace magfsi::bodies

@@ -308,8 +308,10 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
         at_rigid_key(body, [&] { structure::refuse_held_rigid_parts(out, held); });
     }
     try {
-        if (body.magnetization)
+        if (body.magnetization) {
             out.magnetization_a_m = magnetize(*body.magnetization, out.mesh);
+            out.follows = body.magnetization->follows;
+        }
     } catch (const std::invalid_argument& fault) {
         throw std::invalid_argument(
             fmt::format("magnetization of body '{}': {}", body.name, fault.what()));

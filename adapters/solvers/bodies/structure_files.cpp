@@ -234,12 +234,15 @@ void StructureFiles::add_of_nodes(BodyField field, const scene::Scene& scene,
     }
 }
 
-// Adds two fields: the magnetisation as the body carries it, F M, and that at rest, M.
-// The energy in a field B is -F M . B for each volume at rest (magnetic_forces.h).
+// Adds two fields: the magnetisation as the body carries it, F M or R M, and that at
+// rest, M. The energy in a field B is its product with -B for each volume at rest
+// (magnetic_forces.h, turned_moments.h).
 void StructureFiles::add_magnetization(const Bodies& bodies) {
     std::vector<double> at_rest;
     std::vector<std::vector<Vec3>> of_body;
+    std::vector<bool> turns;
     for (const structure::Body& body : bodies) {
+        turns.push_back(structure::is_turned(body));
         auto& own = of_body.emplace_back();
         for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
             own.push_back(magnetization_of(body, e));
@@ -247,10 +250,11 @@ void StructureFiles::add_magnetization(const Bodies& bodies) {
         }
     }
     fields_.back().add = each_element(
-        bodies, [of_body](std::size_t b, std::size_t e, const Eigen::Matrix3d& f,
-                          std::vector<double>& out) {
+        bodies, [of_body, turns](std::size_t b, std::size_t e, const Eigen::Matrix3d& f,
+                                 std::vector<double>& out) {
             const Vec3& m = of_body[b][e];
-            const Eigen::Vector3d now = f * Eigen::Vector3d(m[0], m[1], m[2]);
+            const Eigen::Matrix3d by = turns[b] ? structure::rotation_of(f) : f;
+            const Eigen::Vector3d now = by * Eigen::Vector3d(m[0], m[1], m[2]);
             append(out, now);
         });
     fields_.push_back(

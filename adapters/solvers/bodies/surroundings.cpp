@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/solvers/bodies/surroundings.h"
 
+#include "adapters/solvers/bodies/field_work.h"
 #include "adapters/solvers/bodies/scene_to_body.h"
+#include "structure/equilibrium/newton.h"
 #include "structure/lammps/field_program.h"
+#include "structure/lammps/placement.h"
 #include "structure/lammps/platform_law.h"
 #include "structure/motion.h"
 
@@ -48,8 +51,30 @@ structure::StaticLoads loads_at(const scene::Scene& scene, const scene::Body& bo
     }
     loads.gravity_m_s2 = to_gravity(scene).value_or(structure::Vec3{});
     for (const structure::PrescribedMotion& motion : body.prescribed_motion)
-        loads.driven_m.push_back(structure::displacement_m(motion.course, time_s));
+        loads.driven_m.push_back(structure::start_displacement_m(motion.course) +
+                                 structure::displacement_m(motion.course, time_s));
     return loads;
+}
+
+std::vector<std::vector<structure::Vec3>> equilibria_at_start(
+    const scene::Scene& scene, const std::vector<structure::Body>& solids) {
+    std::vector<std::vector<structure::Vec3>> out;
+    const auto surroundings = to_surroundings(scene, solids);
+    const std::array<int, 2> plane =
+        scene.magnetic_field ? scene.magnetic_field->plane : std::array<int, 2>{0, 2};
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        const scene::Body& described = scene.bodies[b];
+        structure::EquilibriumOptions options;
+        options.leave_unstable = true;
+        structure::NewtonSolver solver(solids[b], options, surroundings[b]);
+        const auto placed = structure::placed_nodes(solids[b], described.initial, plane);
+        const structure::StaticLoads loads = loads_at(scene, described, 0);
+        // A clamped body takes its loads in increments; a free one is released.
+        out.push_back(is_let_go(solids[b], described.initial)
+                          ? solver.release(placed, loads).nodes_m
+                          : solver.follow(placed, {}, {&loads, 1}).front().nodes_m);
+    }
+    return out;
 }
 
 }  // namespace magfsi::bodies

@@ -21,4 +21,10 @@ std::vector<structure::Surroundings> to_surroundings(
 structure::StaticLoads loads_at(const scene::Scene& scene, const scene::Body& body,
                                 double time_s);
 
+// Positions of the nodes [m] of each body in equilibrium with the loads of time 0, for
+// time.start: equilibrium. Instabilities are left: what is found is a state in which a
+// real body would rest. Throws std::runtime_error if there is none.
+std::vector<std::vector<structure::Vec3>> equilibria_at_start(
+    const scene::Scene& scene, const std::vector<structure::Body>& solids);
+
 }  // namespace magfsi::bodies

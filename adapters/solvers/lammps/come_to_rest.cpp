@@ -72,6 +72,11 @@ void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) 
         input.drag = structure::Drag{critical_drag_rate_1_s(input.bodies)};
     if (input.field) *input.field = structure::held_at(*input.field, 0);
     input.quiet = true;
+    // At rest the branches have relaxed; on the way there they would only take time.
+    for (structure::Body& body : input.bodies) {
+        body.material.branches.clear();
+        for (structure::Material& other : body.other_materials) other.branches.clear();
+    }
 }
 
 RestFinder::RestFinder(Engine& engine, const scene::Scene& scene,

@@ -180,7 +180,8 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
     add(effect("platform"), "platform", terms.platform);
     add(effect("contact"), "contact", terms.contact);
     add(effect("dipoles"), "dipoles", terms.dipoles);
-    add(effect("viscosity"), "lost_viscosity", terms.lost_viscosity);
+    add(effect("viscosity") || effect("viscoelasticity"), "lost_viscosity",
+        terms.lost_viscosity);
     add(effect("damping"), "lost_drag", terms.lost_drag);
     add(effect("friction"), "lost_friction", terms.lost_friction);
     add(in_fluid, "given_to_fluid", -terms.by_fluid);

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 #include "adapters/run_scene.h"
 #include "adapters/scene/checks.h"
 #include "adapters/solvers/bodies/fluid_inside.h"
+#include "adapters/solvers/bodies/surroundings.h"
 #include "adapters/solvers/lammps/body_markers.h"
 #include "adapters/solvers/lammps/come_to_rest.h"
 #include "adapters/solvers/lammps/scene_to_input.h"
@@ -163,6 +165,14 @@ void Participant::take_substeps_of_restart() {
 void Participant::start_lammps(const bodies::Solids& solids) {
     run_.input.time_step_s = run_.substeps.lammps_step_s;
     if (scene_.time.equilibrium) prepare_for_rest(run_.input, scene_);
+    if (scene_.time.start == scene::RunStart::equilibrium && session_.world().root()) {
+        session_.log("the start: equilibria by Newton's method");
+        try {
+            run_.input.start_m = bodies::equilibria_at_start(scene_, run_.input.bodies);
+        } catch (const std::runtime_error& fault) {
+            throw coupler::Diverged(fault.what());
+        }
+    }
     const int count = run_.substeps.count;
     const auto script =
         generate_input(session_, run_.input, session_.clock().steps() * count);

@@ -5,15 +5,14 @@
 // (structure/magnetics/magnetic_forces.h).
 #include "atom.h"
 #include "error.h"
-#include "input.h"
 #include "update.h"
-#include "variable.h"
 
 #include <fmt/format.h>
 
 #include <exception>
 
 #include "structure/lammps/effect.h"
+#include "structure/lammps/field_components.h"
 #include "structure/lammps/field_program.h"
 #include "structure/magnetics/magnetic_forces.h"
 
@@ -68,32 +67,12 @@ class UniformField : public BodyForce {
     // components: Bx By Bz, each a number [T] or v_NAME, a variable of LAMMPS.
     UniformField(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char** components)
         : BodyForce(lammps),
-          who_(body.who),
+          field_(lammps, body.who, components),
           range_(body.range),
           charge_a_m_(nodal_charges(body.nodes_m, body.lattice.elements,
-                                    body.magnetization_a_m)) {
-        for (int d = 0; d < 3; ++d) {
-            const std::string word = components[d];
-            if (word.starts_with("v_")) {
-                field_[d].name = word.substr(2);
-            } else {
-                field_[d].value_t = number(components[d], lmp);
-            }
-        }
-    }
+                                    body.magnetization_a_m)) {}
 
-    void init() override {
-        for (Component& component : field_) {
-            if (component.name.empty()) continue;
-            component.variable = input->variable->find(component.name.c_str());
-            if (component.variable < 0 ||
-                input->variable->equalstyle(component.variable) == 0) {
-                fail(*error,
-                     "{}: the field names variable {}, an equal-style variable is needed",
-                     who_, component.name);
-            }
-        }
-    }
+    void init() override { field_.init(); }
     void rebuild(const OwnedElements&) override {
         charged_.clear();
         for (int i = 0; i < atom->nlocal; ++i) {
@@ -103,20 +82,20 @@ class UniformField : public BodyForce {
         }
     }
     void add() override {
-        evaluate();
+        field_.evaluate();
         add_forces();
     }
     // atom->v is the velocity of the half step, (x(n+1) - x(n)) / dt, so that the mean of
     // the field at both ends gives the work of the step: exact for a field linear in
     // time.
     Turnover advance() override {
-        Vec3 before{};
-        for (int d = 0; d < 3; ++d) before[d] = field_[d].value_t;
-        evaluate();
+        const Vec3 before = field_.field_t();
+        field_.evaluate();
+        const Vec3& now = field_.field_t();
         const Vec3 flow = charge_flow();
         Turnover step;
         for (int d = 0; d < 3; ++d) {
-            step.work_j += 0.5 * update->dt * (before[d] + field_[d].value_t) * flow[d];
+            step.work_j += 0.5 * update->dt * (before[d] + now[d]) * flow[d];
         }
         add_forces();
         return step;
@@ -126,38 +105,22 @@ class UniformField : public BodyForce {
         const double* const* const x = atom->x;
         for (const ChargedNode& node : charged_) {
             for (int d = 0; d < 3; ++d)
-                energy_j -= node.charge_a_m * field_[d].value_t * x[node.atom][d];
+                energy_j -= node.charge_a_m * field_.field_t()[d] * x[node.atom][d];
         }
         return energy_j;
     }
 
   private:
-    struct Component {
-        // Name of the variable; empty: value_t is constant
-        std::string name;
-        int variable = -1;
-        double value_t = 0;
-    };
     struct ChargedNode {
         int atom = 0;  // local index
         double charge_a_m = 0;
     };
 
-    // LAMMPS must know one step ahead which computes and fixes the variables will ask
-    // for.
-    void evaluate() {
-        modify->clearstep_compute();
-        for (Component& component : field_) {
-            if (component.variable < 0) continue;
-            component.value_t = input->variable->compute_equal(component.variable);
-        }
-        modify->addstep_compute(update->ntimestep + 1);
-    }
     void add_forces() {
         double* const* const f = atom->f;
+        const Vec3 field_t = field_.field_t();
         for (const ChargedNode& node : charged_) {
-            for (int d = 0; d < 3; ++d)
-                f[node.atom][d] += node.charge_a_m * field_[d].value_t;
+            for (int d = 0; d < 3; ++d) f[node.atom][d] += node.charge_a_m * field_t[d];
         }
     }
     // Sum of q v over this rank's nodes [A m2/s].
@@ -169,11 +132,10 @@ class UniformField : public BodyForce {
         return sum;
     }
 
-    std::string who_;
+    FieldComponents field_;
     NodeRange range_;
     std::vector<double> charge_a_m_;    // one per node of the body
     std::vector<ChargedNode> charged_;  // owned by this rank, charge not zero
-    std::array<Component, 3> field_;
 };
 
 // The components go through variables Bx, By and Bz, which a script may redefine.
@@ -191,7 +153,8 @@ extern const Effect magnetic_field_effect{
     .asked = [](const LammpsInput& input) { return input.field.has_value(); },
     .before_bodies = add_field,
     .body_words = [](const LammpsInput&, const Body& body) -> std::string {
-        return body.magnetization_a_m.empty() ? "" : " field v_Bx v_By v_Bz";
+        if (body.magnetization_a_m.empty() || is_turned(body)) return "";
+        return " field v_Bx v_By v_Bz";
     },
     .force = {"field", 3, make_force<UniformField>},
     .fix = {"magttice/field", make_fix<FixMagtticeFieldSource>}};

@@ -117,6 +117,32 @@ TEST(Restart, KeepsTheWorkOfTheFieldAndTheMotion) {
     EXPECT_LE(largest_difference(whole.gather("x"), second.gather("x")), 1e-15);
 }
 
+// The states of Maxwell branches go with the atoms between ranks and into restarts.
+TEST(Restart, KeepsTheStatesOfBranches) {
+    LammpsInput input = test::strip_in_field();
+    input.bodies[0].material.branches = {{20e3, 2e-3}, {5e3, 0.1}};
+    input.time_step_s = 0.9 * stable_step_s(input.bodies[0]);
+    const test::SharedScript script(input);
+    const std::string file = (script.folder() / "half.restart").string();
+    test::LammpsRun whole(MPI_COMM_WORLD, script.lines());
+    whole.command("run 400");
+    whole.command("write_restart " + file);
+    whole.command("run 300");
+
+    test::LammpsRun second(MPI_COMM_WORLD, restarted(script.lines(), file));
+    second.command("run 300");
+    const double lost = whole.fix_value("magttice_strip", 4);
+    EXPECT_GT(lost, 0);
+    EXPECT_NEAR(second.fix_value("magttice_strip", 4) / lost, 1, 1e-9);
+    // Sums in another order over 300 steps.
+    EXPECT_LE(largest_difference(whole.gather("x"), second.gather("x")), 1e-14);
+    // Without the states the strip would be elsewhere.
+    test::AloneAndTogether runs(input);
+    for (const char* line : {"run 400", "run 300"}) runs.command(line);
+    EXPECT_LT(runs.largest_difference("x"), 1e-14);
+    EXPECT_LE(largest_difference(whole.gather("x"), runs.alone.gather("x")), 1e-14);
+}
+
 // Drag, a rough platform with its stick points, contact and a field: everything whose
 // state is in positions, velocities and the restart file.
 TEST(Restart, GoesOnAsTheUninterruptedRunWould) {

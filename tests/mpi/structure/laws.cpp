@@ -80,6 +80,58 @@ TEST(Viscosity, TakesTheEnergyThatIsLost) {
     EXPECT_NEAR((left + lost) / start, 1, 1e-2);
 }
 
+// A strip that stiffens swings without loss, too.
+TEST(Stiffening, KeepsTheEnergyOfAFreeVibration) {
+    LammpsInput input = test::released_strip();
+    input.bodies[0].material.stiffening = Gent{0.5};
+    input.time_step_s = 0.8 * stable_step_s(input.bodies[0]);
+    test::Run run(input);
+    const double start = run.fix_value("magttice_strip", 0);
+    double drift = 0;
+    for (int i = 0; i < 40; ++i) {
+        run.steps(100);
+        const double total = test::kinetic_energy(input.bodies[0], run.gather("v")) +
+                             run.fix_value("magttice_strip", 0);
+        drift = std::max(drift, std::abs(total - start) / start);
+    }
+    EXPECT_LT(drift, 1e-3);  // the shadow energy, as of the neo-Hookean strip
+}
+
+// A branch of the time of the swing takes its energy; what is stored in branches counts
+// as elastic.
+TEST(Viscoelasticity, TakesTheEnergyThatIsLost) {
+    LammpsInput input = test::released_strip();
+    input.bodies[0].material.branches = {{10e3, 2e-3}, {5e3, 1e-6}};
+    input.time_step_s = 0.9 * stable_step_s(input.bodies[0]);
+    test::Run run(input);
+    const double start = run.fix_value("magttice_strip", 0);
+    run.steps(6000);
+    const double left = test::kinetic_energy(input.bodies[0], run.gather("v")) +
+                        run.fix_value("magttice_strip", 0);
+    const double lost = run.fix_value("magttice_strip", 4);
+    EXPECT_GT(lost, 0.1 * start);
+    // The trapezium rule of the loss and the shadow energy of the integration.
+    EXPECT_NEAR((left + lost) / start, 1, 3e-3);
+}
+
+// The work of the field is that of the moments which it turns.
+TEST(TurningMagnetization, GivesTheWorkOfTheFieldToTheBody) {
+    LammpsInput input = test::strip_in_field();
+    input.bodies[0].follows = MagnetizationFollows::rotation;
+    test::Run run(input);
+    double largest = 0, worst = 0;
+    for (int chunk = 0; chunk < 40; ++chunk) {
+        run.steps(100);
+        const double work = run.fix_value("magttice_strip", 2);
+        const double energy = test::kinetic_energy(input.bodies[0], run.gather("v")) +
+                              run.fix_value("magttice_strip", 0);
+        largest = std::max(largest, std::abs(work));
+        worst = std::max(worst, std::abs(work - energy));
+    }
+    EXPECT_GT(largest, 1e-8);
+    EXPECT_LT(worst, 5e-3 * largest);  // as of the magnetisation that is stretched
+}
+
 // What the field and the weight do to a body is elastic, kinetic or lost.
 TEST(TwoMaterials, KeepTheBalanceOfEnergy) {
     const LammpsInput input = test::bending_bar();
@@ -272,8 +324,11 @@ TEST(BadArguments, AreRefusedInOneSentence) {
                 {"\"viscosity\" with 0 values found, it takes 1"});
     expect_stop(
         {"fix a all magttice x 1 1 1 fields 0 0 0"},
-        {"\"fields\" found; allowed are element, material, field, gradient, sources, "
-         "dipoles, viscosity"});
+        {"\"fields\" found; allowed are element, material, stiffening, branch, field, "
+         "turned_field, gradient, sources, dipoles, viscosity"});
+    expect_stop({"fix a all magttice x 1 1 1 stiffening hard 3"}, {"hard"});
+    expect_stop({"fix a all magttice x 1 1 1 branch 5"},
+                {"\"branch\" with 1 values found, it takes 2"});
     expect_stop({"fix a all magttice x 1 1 1 field 0 0 1 field 0 0 2"},
                 {"\"field\" found twice"});
     expect_stop({"fix a all magttice/field xz constant 1"}, {"constant has 2"});

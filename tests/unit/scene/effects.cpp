@@ -21,12 +21,27 @@ TEST(Effects, of_a_swimmer) {
                      "immersed boundary", "buoyancy", "overlap check", "fluid",
                      "body force", "moving walls", "probes", "interface balance",
                      "energy audit", "structure fields", "fluid fields", "checkpoint"}));
-    EXPECT_EQ(absent_effects(s),
-              (Names{"viscosity", "field gradient", "field sources", "dipoles", "control",
-                     "platform", "friction", "contact", "rigid parts", "rollers",
-                     "prescribed motion", "implicit scheme", "bulk viscosity",
-                     "eddy viscosity", "rheology", "free slip", "inlets and outlets",
-                     "refinement", "obstacles"}));
+    EXPECT_EQ(absent_effects(s), (Names{"stiffening",
+                                        "viscosity",
+                                        "viscoelasticity",
+                                        "field gradient",
+                                        "field sources",
+                                        "dipoles",
+                                        "control",
+                                        "platform",
+                                        "friction",
+                                        "contact",
+                                        "rigid parts",
+                                        "rollers",
+                                        "prescribed motion",
+                                        "implicit scheme",
+                                        "bulk viscosity",
+                                        "eddy viscosity",
+                                        "rheology",
+                                        "free slip",
+                                        "inlets and outlets",
+                                        "refinement",
+                                        "obstacles"}));
 }
 
 TEST(Effects, AnUnknownNameIsAnError) {
@@ -49,8 +64,9 @@ TEST(Effects, of_a_solid) {
     EXPECT_EQ(
         effects_by_step(s),
         (Names{
-            "structure step: elasticity, magnetic field; absent: viscosity, "
-            "field gradient, field sources, dipoles, control, gravity, damping, "
+            "structure step: elasticity, magnetic field; absent: stiffening, viscosity, "
+            "viscoelasticity, field gradient, field sources, dipoles, control, gravity, "
+            "damping, "
             "platform, friction, contact, "
             "clamps, rigid parts, rollers, prescribed motion",
             "coupled step: none; absent: immersed boundary, buoyancy, "

@@ -2,6 +2,7 @@
 """Finite elements apart from magfsi: a block of 27-node hexahedra of eq. (1)'s material, nonlinear.
 
     W = G/2 (F:F - 3) + K/2 ln^2 J - G ln J,   27 Gauss points,
+    or with Gent's -G/2 J_m ln(1 - (F:F - 3)/J_m) in place of the first term,
     energy of the field -integral of F M . B, of the weight rho g z, and of a smooth plane
     k z^2 / 2 on the surface nodes below it (Simpson's areas).
 
@@ -40,10 +41,11 @@ def _shapes():
 
 
 class Block:
-    """x_cells: the edges of the cells along x; y_cells and z_cells are evenly spaced."""
+    """x_cells: the edges of the cells along x; y_cells and z_cells are evenly spaced.
+    gent: the limit J_m; without it the material is neo-Hookean."""
 
-    def __init__(self, x_edges, width, height, y_cells, z_cells, g, k, density):
-        self.g, self.k, self.density = g, k, density
+    def __init__(self, x_edges, width, height, y_cells, z_cells, g, k, density, gent=None):
+        self.g, self.k, self.density, self.gent = g, k, density, gent
         edges = [np.asarray(x_edges, float), np.linspace(0, width / 2, y_cells + 1),
                  np.linspace(-height / 2, height / 2, z_cells + 1)]
         lines = [np.sort(np.concatenate([e, (e[1:] + e[:-1]) / 2])) for e in edges]
@@ -118,18 +120,33 @@ class Block:
                 out[tuple(at)] += np.outer(*across)
         return out.ravel()
 
+    def springs(self, f):
+        """(W, 2 W', 4 W'') of F:F at each point."""
+        s = (f**2).sum((2, 3)) - 3
+        if self.gent is None:
+            return self.g / 2 * s, self.g, None
+        room = 1 - s / self.gent
+        if room.min() <= 0:
+            return None, None, None
+        return (-self.g / 2 * self.gent * np.log(room), self.g / room,
+                2 * self.g / self.gent / room**2)
+
     def elastic(self, x, tangent):
         """Energy, its gradient (node, axis), and the cells' tangents; energy None if inverted."""
         f = np.einsum("ead,eqak->eqdk", x[self.nodes], self.slopes)
         j = np.linalg.det(f)
         if j.min() <= 0:
             return None, None, None
+        stretching, pull, stiffening = self.springs(f)
+        if stretching is None:
+            return None, None, None
         inverse = np.linalg.inv(f)
         log = np.log(j)
         w = self.weights
-        energy = (w * (self.g / 2 * ((f**2).sum((2, 3)) - 3) + self.k / 2 * log**2
-                       - self.g * log)).sum()
-        stress = self.g * f + (self.k * log - self.g)[..., None, None] * inverse.swapaxes(2, 3)
+        pull = np.broadcast_to(pull, w.shape)
+        energy = (w * (stretching + self.k / 2 * log**2 - self.g * log)).sum()
+        stress = pull[..., None, None] * f \
+            + (self.k * log - self.g)[..., None, None] * inverse.swapaxes(2, 3)
         gradient = self.scatter(np.einsum("eq,eqdk,eqak->ead", w, stress, self.slopes,
                                           optimize=True))
         if not tangent:
@@ -141,7 +158,10 @@ class Block:
         other = turned @ ((self.g - self.k * log)[..., None] * w[..., None] * here)
         other = other.reshape(cells, 27, 3, 27, 3).swapaxes(2, 4)
         flat = self.slopes.swapaxes(1, 2).reshape(cells, 27, 81)
-        spring = flat @ (self.g * np.repeat(w, 3, 1)[..., None] * flat.swapaxes(1, 2))
+        spring = flat @ (np.repeat(pull * w, 3, 1)[..., None] * flat.swapaxes(1, 2))
+        if stiffening is not None:
+            push = np.einsum("eqdk,eqak->eqad", f, self.slopes).reshape(cells, 27, 81)
+            volume += push.swapaxes(1, 2) @ ((stiffening * w)[..., None] * push)
         matrix = volume.reshape(cells, 27, 3, 27, 3) + other
         for d in range(3):
             matrix[:, :, d, :, d] += spring

@@ -39,6 +39,9 @@ struct LawWords<TurningMotion> {
     }
 };
 
+template <>
+constexpr const char* law_name<HeldDisplacement> = "held";
+
 namespace {
 
 void check(const Oscillation& o) {
@@ -48,6 +51,8 @@ void check(const Oscillation& o) {
 void check(const DisplacementRamp& r) {
     if (!(r.duration_s > 0)) refuse("a ramp needs a duration above zero");
 }
+
+void check(const HeldDisplacement&) {}
 
 // A formula is checked as it is read.
 void check(const FormulaMotion&) {}
