@@ -40,9 +40,15 @@ class Points:
         return np.einsum("pa,pad->pd", self.weights, x[self.nodes])
 
     def begin(self, x, _support):
-        start = self.places(x)
+        self.begin_again(self.places(x))
+
+    def begin_again(self, start):
+        """With a start_state() of before."""
         self._between = Between(start, self.goal) if self.curve else None
         self._start = start
+
+    def start_state(self):
+        return self._start
 
     def target(self, share):
         if self._between:
@@ -85,7 +91,13 @@ class Opening:
         return a - b
 
     def begin(self, x, _support):
-        self._start_m = np.linalg.norm(self._apart(x))
+        self._start_m = float(np.linalg.norm(self._apart(x)))
+
+    def begin_again(self, start):
+        self._start_m = float(start)
+
+    def start_state(self):
+        return np.array(self._start_m)
 
     def residual(self, x, share, _support):
         goal = (1 - share) * self._start_m + share * self.goal_m
@@ -116,6 +128,12 @@ class Force:
 
     def begin(self, _x, support):
         self._start_n = self.value_n(support)
+
+    def begin_again(self, start):
+        self._start_n = float(start)
+
+    def start_state(self):
+        return np.array(self._start_n)
 
     def residual(self, _x, share, support):
         goal = (1 - share) * self._start_n + share * self.goal_n

@@ -54,6 +54,7 @@ class Search:
         self.options, self.tell = options or Options(), tell
         self.history, self.damping, self.share = [], 1e-3, 0.0
         self.began = time.monotonic()
+        self.latest, self.each_stage = None, lambda state: None
         # Poses that share a process take turns; the others run at the same time.
         self._turns = {}
         for i, program in enumerate(programs):
@@ -173,6 +174,7 @@ class Search:
                 after = self.residual(new, share)
                 self.history.append(Step(share, float(np.linalg.norm(after)), self.damping, trial,
                                          lost, time.monotonic() - self.began))
+                self.latest = new
                 self.tell(self)
                 return new
             self.damping *= 8.0
@@ -196,9 +198,27 @@ class Search:
                     break
                 state, iterations = new, iterations + 1
             self.share = share
+            self.each_stage(state)
             step = min(0.25, step * (1.5 if iterations <= 2 else 1.0 if iterations < 4 else 0.7))
             self.damping = min(self.damping, 1e-2)
         return self.final(state)
+
+    def strengthen(self, state):
+        """From magnetisations up to a strength to ones of that strength, of which the directions are
+        free: the softness of the map goes to zero in steps, each corrected. Ends with the last one
+        that could be followed."""
+        part = self.unknowns.magnetization
+        for softness in (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.02):
+            before, kept = self.unknowns.designs(state.p), part.softness
+            part.softness = softness
+            after = self.unknowns.designs(state.p)
+            found = self._each(lambda i: self.programs[i].move(state.x[i], before[i], after[i], 5))
+            if not all(one.reached for one in found):
+                part.softness = kept
+                break
+            x = [one.x for one in found]
+            state = self.final(State(state.p, x, self._each(lambda i: self._support(i, x[i], after[i]))))
+        return state
 
     def final(self, state):
         """Iterates on the wanted goal until it is met or nothing is gained any more."""
