@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Derivatives of shapes and of supports' forces by everything that a designer may choose, by the
+adjoint method, against central differences of equilibria that Newton's method finds anew."""
+import unittest
+
+import numpy as np
+
+from designs import folder_with
+from magfsi import testing
+from magfsi.design.program import Design, Program
+
+# Central differences of the fourth order of steps of 1 % have an error of some 1e-8; equilibria are
+# good to 1e-11 of the displacements, which the differences raise to 1e-9 or so.
+STEP, BOUND = 0.01, 1e-6
+GRADIENT = "gradient: {matrix: [[0.4 T/m, 0.1 T/m, 0 T/m], [0.1 T/m, 0.3 T/m, 0.2 T/m], " \
+           "[0 T/m, 0.2 T/m, -0.7 T/m]]}"
+SOURCE = "sources: {magnet: {cylinder: {diameter: 8 mm, height: 8 mm, axis: [0, 0, 1], " \
+         "remanence: [0 T, 0 T, 1.2 T]}, position: [10 mm, 0 mm, 30 mm]}}"
+BODY = """name: body
+time: {{end: 1 s, equilibrium: {{method: newton}}}}
+bodies:
+  body:
+    mesh: {mesh}
+    {regions}
+    material: {{shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}}
+    clamps: [{clamp}]
+gravity: {{acceleration: 9.81 m/s2}}
+{field}
+"""
+BLOCK = ("{box: {size: [10 mm, 2 mm, 0.5 mm], elements: [16, 3, 2]}}",
+         "regions: {near: {box: [[0 mm, 0 mm, 0 mm], [4 mm, 2 mm, 1 mm]]}, "
+         "far: {box: [[4 mm, 0 mm, 0 mm], [10 mm, 2 mm, 1 mm]]}}", "x_min")
+GMSH = (f"{{gmsh: {{file: {testing.ROOT}/tests/validation/materials/two_halves.msh, unit: 1 mm}}}}", "",
+        "root")
+VOXELS = (f"{{voxels: {{file: {testing.ROOT}/docs/examples/scenes/tetrahedron.stl, unit: 1 mm, "
+          "spacing: 0.2 mm, faces: {foot: {box: [[-9 mm, -9 mm, -9 mm], [9 mm, 9 mm, 0.2 mm]]}}}}",
+          "regions: {low: {box: [[-9 mm, -9 mm, -9 mm], [9 mm, 9 mm, 0.6 mm]]}, "
+          "high: {box: [[-9 mm, -9 mm, 0.6 mm], [9 mm, 9 mm, 9 mm]]}}", "foot")
+
+
+def program_of(mesh, field=""):
+    file, regions, clamp = mesh
+    text = BODY.format(mesh=file, regions=regions, clamp=clamp,
+                       field=f"magnetic_field: {{plane: xz, {field}}}" if field else "")
+    return Program(folder_with(scene_yaml=text) / "scene.yaml")
+
+
+class Gradient(unittest.TestCase):
+    def setUp(self):
+        self.random = np.random.default_rng(3)
+
+    def tearDown(self):
+        self.program.close()
+
+    def start(self, mesh, strength, field=""):
+        """A body in a field of 20 mT with a smooth magnetisation of this strength [A/m]."""
+        program = self.program = program_of(mesh, field)
+        place = program.centres / np.ptp(program.rest, axis=0).max()
+        wave = self.random.normal(size=(3, 3)) * 2
+        m = strength * np.cos(place @ wave + self.random.normal(size=3))
+        factors = np.array([0.8, 1.3, 1.1][:len(program.facts["regions"])])
+        self.design = Design(m, np.array([0.008, 0.005, 0.018]), factors)
+        risen = program.rise(self.design)
+        self.assertTrue(risen.reached, f"followed to {risen.share}")
+        self.x = risen.x
+        bend = np.linalg.norm(self.x - program.rest, axis=1).max() / np.ptp(program.rest, axis=0).max()
+        count = 4
+        nodes = self.random.integers(0, len(program.rest), (count, 6))
+        entries = [(row, 3 * n + self.random.integers(3), self.random.normal(), 0)
+                   for row, line in enumerate(nodes) for n in line]
+        held = np.flatnonzero(np.array(program.facts["held"]))
+        direction = self.random.normal(size=3)
+        entries += [(count, 3 * n + d, direction[d], 1) for n in held for d in range(3)]
+        # An uneven weight, as the sum of all supports is that of the loads.
+        entries += [(count + 1, 3 * held[0] + 2, 1.0, 1)]
+        self.entries, self.rows = np.array(entries), count + 2
+        return bend
+
+    def values(self, design):
+        """Functionals of the equilibrium that is followed from the present one."""
+        found = self.program.move(self.x, self.design, design)
+        self.assertTrue(found.reached)
+        support = self.program.support(found.x, design).ravel()
+        out = np.zeros(self.rows)
+        flat = found.x.ravel()
+        for row, coordinate, weight, of_support in self.entries:
+            out[int(row)] += weight * (support if of_support else flat)[int(coordinate)]
+        return out
+
+    def compare(self, name, changed, expected):
+        """changed(h): the design at a step h of one."""
+        f = {k: self.values(changed(k * STEP)) for k in (-2, -1, 1, 2)}
+        found = (8 * (f[1] - f[-1]) - (f[2] - f[-2])) / (12 * STEP)
+        scale = np.maximum(np.abs(found), 1e-3 * np.abs(found[:4]).max())
+        scale[4:] = np.abs(found[4:])
+        error = np.abs(found - expected) / scale
+        testing.report(f"{self.id().split('.')[-1]}, {name}: {error.max():.1e}")
+        self.assertLess(error.max(), BOUND, f"{name}: {found} {expected}")
+
+    def check(self):
+        by_m, by_b, by_s = self.program.sensitivity(self.x, self.design, self.entries, self.rows)
+        d = self.design
+        way = self.random.normal(size=d.magnetization.shape) * np.abs(d.magnetization).max()
+        self.compare("magnetisation",
+                     lambda h: Design(d.magnetization + h * way, d.field, d.stiffness),
+                     np.einsum("rei,ei->r", by_m, way))
+        way_b = np.array([0.006, -0.01, 0.012])
+        self.compare("field", lambda h: Design(d.magnetization, d.field + h * way_b, d.stiffness),
+                     by_b @ way_b)
+        way_s = self.random.normal(size=len(d.stiffness))
+        self.compare("stiffness", lambda h: Design(d.magnetization, d.field, d.stiffness + h * way_s),
+                     by_s @ way_s)
+
+    def both(self, mesh, weak, strong, field=""):
+        self.assertLess(self.start(mesh, weak, field), 0.1)
+        self.check()
+        self.program.close()
+        self.assertGreater(self.start(mesh, strong, field), 0.2)
+        self.check()
+
+    def test_block(self):
+        self.both(BLOCK, 1e3, 4e4)
+
+    def test_block_in_a_gradient(self):
+        self.both(BLOCK, 1e3, 4e4, GRADIENT)
+
+    def test_block_with_a_magnet(self):
+        self.both(BLOCK, 1e3, 4e4, SOURCE)
+
+    def test_gmsh(self):
+        self.both(GMSH, 1e3, 8e4)
+
+    def test_voxels(self):
+        self.start(VOXELS, 1e4)
+        self.check()
+        self.program.close()
+        self.start(VOXELS, 2e5)
+        self.check()
+
+
+if __name__ == "__main__":
+    unittest.main()
