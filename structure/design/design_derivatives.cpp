@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derivatives of functionals of an equilibrium, by adjoint solves.
-#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "structure/design/design_problem.h"
 #include "structure/lattice/plain_element.h"
@@ -80,8 +80,7 @@ Sensitivity DesignProblem::sensitivity(const Eigen::VectorXd& x, const Design& a
     const auto& elements = body_.mesh.elements;
     Sensitivity out;
     out.magnetization.resize(rows, 3 * static_cast<Eigen::Index>(elements.size()));
-    out.stiffness.setZero(
-        rows, static_cast<Eigen::Index>(std::max<std::size_t>(at.stiffness.size(), 0)));
+    out.stiffness.setZero(rows, static_cast<Eigen::Index>(at.stiffness.size()));
     const auto by_magnetization = problem_->forces_by_magnetization(x, at.loads);
     for (std::size_t e = 0; e < elements.size(); ++e) {
         const auto here = columns_of(elements[e], lambda);
@@ -93,10 +92,58 @@ Sensitivity DesignProblem::sensitivity(const Eigen::VectorXd& x, const Design& a
             here.transpose() * problem_->elastic_force_n(e, x) / at.stiffness[region];
     }
     out.field = lambda.transpose() * problem_->forces_by_field();
+    out.thickness = by_thickness(x, at, lambda, entries);
+    return out;
+}
+
+// The thickness of a region changes the nodes at rest, and with them charges, masses and
+// elements. Their forces at fixed positions (nodes that are held move along) are
+// differentiated by central differences of the fourth order, whose error is below 1e-10
+// for steps of 0.1 %; equilibria are not differenced.
+Eigen::MatrixXd DesignProblem::by_thickness(
+    const Eigen::VectorXd& x, const Design& at, const Eigen::MatrixXd& lambda,
+    std::span<const FunctionalEntry> entries) const {
+    constexpr double step = 1e-3;
+    const std::vector<HeldAxes> held = held_axes(body_);
+    const std::vector<Vec3> rest = shaped(at).mesh.nodes;
+    Eigen::MatrixXd out(lambda.cols(), static_cast<Eigen::Index>(at.thickness.size()));
+    for (std::size_t r = 0; r < at.thickness.size(); ++r) {
+        Eigen::VectorXd force_n = Eigen::VectorXd::Zero(x.size()), moved = force_n;
+        for (const auto& [way, weight] :
+             {std::pair{1, 8.0}, {-1, -8.0}, {2, -1.0}, {-2, 1.0}}) {
+            Design there = at;
+            there.thickness[r] += way * step;
+            Body body = shaped(there);
+            body.magnetization_a_m = at.magnetization_a_m;
+            Eigen::VectorXd positions = x;
+            Eigen::VectorXd change = flat_positions(body.mesh.nodes) - flat_positions(rest);
+            for (Eigen::Index q = 0; q < x.size(); ++q) {
+                if (!held[q / 3][q % 3]) change[q] = 0;
+            }
+            positions += change;
+            const StaticProblem other(body, surroundings_);
+            force_n += weight / (12 * step) *
+                       other.force_n(positions, other.load(at.loads));
+            moved += weight / (12 * step) * change;
+        }
+        const auto column = static_cast<Eigen::Index>(r);
+        out.col(column) = lambda.transpose() * force_n;
+        for (const FunctionalEntry& entry : entries) {
+            if (!entry.of_support)
+                out(entry.row, column) += entry.weight * moved[entry.coordinate];
+        }
+    }
     return out;
 }
 
 // --- what the derivatives take of the static problem -----------------------------------
+
+Eigen::VectorXd StaticProblem::force_n(const Eigen::VectorXd& x,
+                                       const NodalLoads& loads) const {
+    Eigen::VectorXd out = surrounding_n(x, loads);
+    add_internal(x, out);
+    return out;
+}
 
 Eigen::VectorXd StaticProblem::tangent_times(const Eigen::VectorXd& x,
                                              const NodalLoads& loads,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The equilibrium of one body in one pose as a function of what a designer may choose:
-// magnetisation, loads and stiffness. Derivatives are by the adjoint method: with the
+// magnetisation, loads, stiffness and thickness. Derivatives are by the adjoint method: with the
 // residual f(x, p) = 0 and the tangent K = -df/dx, a functional r(x) has
 //   dr/dp = lambda . df/dp,   K lambda = dr/dx,
 // one solve with Newton's factor for each functional, whatever the number of unknowns.
@@ -21,6 +21,8 @@ struct Design {
     // Factor on all moduli of each region of the mesh, in the order of its names; empty:
     // ones
     std::vector<double> stiffness;
+    // Factor on the thickness of each region of the mesh; empty: ones
+    std::vector<double> thickness;
 };
 
 // Entry of a linear functional of the nodes' positions, or of the supports' forces.
@@ -37,11 +39,13 @@ struct Sensitivity {
     Eigen::MatrixXd magnetization;  // columns 3 element + axis [per A/m]
     Eigen::MatrixXd field;          // columns: axes [per T]
     Eigen::MatrixXd stiffness;      // columns: regions [per factor]
+    Eigen::MatrixXd thickness;      // columns: regions [per factor]
 };
 
 class DesignProblem {
   public:
     // Throws as StaticProblem does. tolerance: largest residual over largest nodal load.
+    // The thickness is along the shortest side of the body.
     DesignProblem(const Body& body, Surroundings surroundings, double tolerance = 1e-10);
 
     const Body& body() const { return body_; }
@@ -81,6 +85,15 @@ class DesignProblem {
   private:
     // Makes problem_ that of the design.
     void set(const Design& at);
+    // The body with the stiffness and the thickness of the design.
+    Body shaped(const Design& at) const;
+    // Positions of a body that was bent to x, with another thickness.
+    Eigen::VectorXd carried(const Eigen::VectorXd& x, const std::vector<double>& from,
+                            const std::vector<double>& to) const;
+    // Derivatives by the factors of thickness, by differences of the forces alone.
+    Eigen::MatrixXd by_thickness(const Eigen::VectorXd& x, const Design& at,
+                                 const Eigen::MatrixXd& lambda,
+                                 std::span<const FunctionalEntry> entries) const;
     // Sharpens an equilibrium that an iteration has found to the rounding. False if the
     // tangent there is not positive definite.
     bool settle(Found& found, const NodalLoads& load);
@@ -98,7 +111,8 @@ class DesignProblem {
     Body body_;
     Surroundings surroundings_;
     double tolerance_;
-    std::vector<double> stiffness_;  // that of problem_
+    int thickness_axis_;
+    std::vector<double> stiffness_, thickness_;  // those of problem_
     std::unique_ptr<StaticProblem> problem_;
 };
 
@@ -108,5 +122,10 @@ Design between(const Design& from, const Design& to, double share);
 // The body with these factors on the moduli of its regions. Throws std::invalid_argument
 // on another number of factors than regions, or on one that is not positive.
 Body with_stiffness(const Body& body, std::span<const double> factor);
+
+// The body with the distances of its nodes from its middle along an axis times these
+// factors of its regions; a node between regions takes their mean. Throws as
+// with_stiffness does.
+Body with_thickness(const Body& body, int axis, std::span<const double> factor);
 
 }  // namespace magfsi::structure

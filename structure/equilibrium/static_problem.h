@@ -137,6 +137,8 @@ class StaticProblem {
     // Replaces the magnetisation [A/m]. Throws std::invalid_argument unless there is one
     // vector per element.
     void set_magnetization(const std::vector<Vec3>& magnetization_a_m);
+    // Sum of all forces but those of supports [N].
+    Eigen::VectorXd force_n(const Eigen::VectorXd& x, const NodalLoads& loads) const;
     using Values24 = Eigen::Matrix<double, 24, 1>;
     using Forces24 = Eigen::Matrix<double, 24, 3>;
     // Product of a vector with the tangent at x, in which nothing is held.

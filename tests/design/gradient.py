@@ -2,6 +2,7 @@
 """Derivatives of shapes and of supports' forces by everything that a designer may choose, by the
 adjoint method, against central differences of equilibria that Newton's method finds anew."""
 import unittest
+from dataclasses import replace
 
 import numpy as np
 
@@ -59,7 +60,7 @@ class Gradient(unittest.TestCase):
         wave = self.random.normal(size=(3, 3)) * 2
         m = strength * np.cos(place @ wave + self.random.normal(size=3))
         factors = np.array([0.8, 1.3, 1.1][:len(program.facts["regions"])])
-        self.design = Design(m, np.array([0.008, 0.005, 0.018]), factors)
+        self.design = Design(m, np.array([0.008, 0.005, 0.018]), factors, factors[::-1].copy())
         risen = program.rise(self.design)
         self.assertTrue(risen.reached, f"followed to {risen.share}")
         self.x = risen.x
@@ -98,18 +99,16 @@ class Gradient(unittest.TestCase):
         self.assertLess(error.max(), BOUND, f"{name}: {found} {expected}")
 
     def check(self):
-        by_m, by_b, by_s = self.program.sensitivity(self.x, self.design, self.entries, self.rows)
+        by_m, by_b, by_s, by_t = self.program.sensitivity(self.x, self.design, self.entries, self.rows)
         d = self.design
         way = self.random.normal(size=d.magnetization.shape) * np.abs(d.magnetization).max()
-        self.compare("magnetisation",
-                     lambda h: Design(d.magnetization + h * way, d.field, d.stiffness),
+        self.compare("magnetisation", lambda h: replace(d, magnetization=d.magnetization + h * way),
                      np.einsum("rei,ei->r", by_m, way))
         way_b = np.array([0.006, -0.01, 0.012])
-        self.compare("field", lambda h: Design(d.magnetization, d.field + h * way_b, d.stiffness),
-                     by_b @ way_b)
+        self.compare("field", lambda h: replace(d, field=d.field + h * way_b), by_b @ way_b)
         way_s = self.random.normal(size=len(d.stiffness))
-        self.compare("stiffness", lambda h: Design(d.magnetization, d.field, d.stiffness + h * way_s),
-                     by_s @ way_s)
+        self.compare("stiffness", lambda h: replace(d, stiffness=d.stiffness + h * way_s), by_s @ way_s)
+        self.compare("thickness", lambda h: replace(d, thickness=d.thickness + h * way_s), by_t @ way_s)
 
     def both(self, mesh, weak, strong, field=""):
         self.assertLess(self.start(mesh, weak, field), 0.1)

@@ -6,14 +6,15 @@
 // Standard input and output carry messages. Each is a line of JSON and the doubles that
 // it announces, in the machine's own bytes. The first output describes the body; then each
 // request has one answer. An answer {"error": ...} has no doubles. A design is 3 values
-// per element (magnetisation), 3 of the field, and as many factors of stiffness as the
-// request says under "stiffness" (0 or the number of regions). Requests:
+// per element (magnetisation), 3 of the field, and as many factors of stiffness and of
+// thickness as the request says under "stiffness" and "thickness" (0 or the number of
+// regions). Requests:
 //   {"do": "move", "halvings": n}    x, design from, design to -> {"share", ...}, x
 //   {"do": "rise"}                   design                    -> {"share", ...}, x
 //   {"do": "release"}                x, design                 -> {"share", ...}, x
 //   {"do": "sensitivity", "rows": m, "entries": k}
 //        x, design, k times (row, coordinate, weight, of support)
-//        -> derivatives by magnetisation, field, stiffness, each row by row
+//        -> derivatives by magnetisation, field, stiffness, thickness, row by row
 //   {"do": "support"}                x, design                 -> forces on the nodes
 //   {"do": "locate", "points": n}    n points  -> n times 8 nodes, 8 weights
 #include <fmt/format.h>
@@ -167,6 +168,7 @@ Design Server::read_design(const json& request) const {
     const Numbers field = read_numbers(3);
     out.loads.field_t = {field[0], field[1], field[2]};
     out.stiffness = read_numbers(request.value("stiffness", std::size_t{0}));
+    out.thickness = read_numbers(request.value("thickness", std::size_t{0}));
     return out;
 }
 
@@ -186,9 +188,10 @@ void Server::sensitivity(const json& request) {
                            numbers[i + 2], numbers[i + 3] != 0});
     const structure::Sensitivity found =
         problem_->sensitivity(x, at, entries, request.at("rows").get<int>());
-    const RowMajor m = found.magnetization, b = found.field, g = found.stiffness;
+    const RowMajor m = found.magnetization, b = found.field, g = found.stiffness,
+                   t = found.thickness;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began_;
-    answer({{"s", took.count()}}, {span_of(m), span_of(b), span_of(g)});
+    answer({{"s", took.count()}}, {span_of(m), span_of(b), span_of(g), span_of(t)});
 }
 
 void Server::locate(const json& request) const {

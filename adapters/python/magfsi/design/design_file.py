@@ -11,7 +11,7 @@ from magfsi.study import marked
 from magfsi.study.study_file import read_name, read_sets
 from magfsi.units import parse
 
-KEYS = ("name", "scene", "set", "body", "poses", "magnetization", "stiffness", "tolerance")
+KEYS = ("name", "scene", "set", "body", "poses", "magnetization", "stiffness", "thickness", "tolerance")
 POSE = ("field", "free", "largest", "curve", "points", "opening", "force")
 AXES = {"x": 0, "y": 1, "z": 2}
 PLANES = {"xy": (0, 1), "xz": (0, 2), "yz": (1, 2), "space": (0, 1, 2)}
@@ -75,7 +75,7 @@ class Magnetization:
 
 
 @dataclass
-class StiffnessRange:
+class FactorRange:
     regions: list
     low: float
     high: float
@@ -91,7 +91,8 @@ class DesignFile:
     body: str
     poses: list
     magnetization: Magnetization
-    stiffness: StiffnessRange | None
+    stiffness: FactorRange | None
+    thickness: FactorRange | None
     tolerance: float
     scene_mark: marked.Value = field(default=None, repr=False)
 
@@ -232,12 +233,12 @@ def _magnetization(value):
         AXES[keys["mirror"].choice(tuple(AXES))] if keys["mirror"] else None, value)
 
 
-def _stiffness(value):
+def _factors(value):
     keys = value.keys(("regions", "range"), ("regions", "range"))
     ends = [v.number() for v in keys["range"].items("two numbers")]
     if len(ends) != 2 or not 0 < ends[0] < ends[1]:
         keys["range"].refuse(keys["range"].text(), "two factors, [0.5, 2]")
-    return StiffnessRange([v.scalar() for v in keys["regions"].items("a list of regions")], *ends,
+    return FactorRange([v.scalar() for v in keys["regions"].items("a list of regions")], *ends,
                           keys["regions"])
 
 
@@ -253,5 +254,6 @@ def read_design(path):
         path, read_name(keys["name"], path.stem), path.parent / keys["scene"].scalar(),
         read_sets(keys["set"]), keys["body"].scalar() if keys["body"] else "", poses,
         _magnetization(keys["magnetization"]),
-        _stiffness(keys["stiffness"]) if keys["stiffness"] else None,
+        _factors(keys["stiffness"]) if keys["stiffness"] else None,
+        _factors(keys["thickness"]) if keys["thickness"] else None,
         keys["tolerance"].share() if keys["tolerance"] else 0.01, keys["scene"])

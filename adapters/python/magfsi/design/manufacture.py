@@ -106,7 +106,7 @@ class Quantized(Unknowns):
     """Unknowns of a design of few vectors."""
 
     def __init__(self, full, vectors):
-        super().__init__(vectors, full.fields, full.stiffness)
+        super().__init__(vectors, full.fields, full.stiffness, full.thickness)
 
 
 def _by_vectors(search, state):

@@ -9,7 +9,7 @@ from magfsi.design.design_file import CurveGoal, ForceGoal, OpeningGoal, PointGo
 from magfsi.design.objective import Force, Opening, Points, PoseObjective
 from magfsi.design.program import Failed, Program
 from magfsi.design.search import Options, Search
-from magfsi.design.unknowns import Field, Magnetization, Stiffness, Unknowns, groups
+from magfsi.design.unknowns import Factors, Field, Magnetization, Unknowns, groups
 from magfsi.study.marked import InputError
 
 LENGTH_TOLERANCE = 0.02  # of a curve against the centre line, and of its start at a clamp
@@ -125,7 +125,8 @@ class Problem:
         group = groups(program, m.by, m.constant_along, m.mirror)
         self.magnetization = Magnetization(group, m.strength, m.axes, m.smoothing_m)
         fields = [Field(p.field_t, p.free, p.largest_t, m.axes) for p in wanted.poses]
-        self.unknowns = Unknowns(self.magnetization, fields, self._stiffness())
+        self.unknowns = Unknowns(self.magnetization, fields, self._factors(wanted.stiffness),
+                                 self._factors(wanted.thickness))
         line = np.ptp(program.rest, axis=0)
         self.length_m = float(line.max())
         nodes, weights = program.centre_line()
@@ -142,14 +143,14 @@ class Problem:
         """In a plane the places across it do not matter."""
         return self.wanted.magnetization.axes
 
-    def _stiffness(self):
-        wanted, names = self.wanted.stiffness, self.program.facts["regions"]
+    def _factors(self, wanted):
+        names = self.program.facts["regions"]
         if not wanted:
             return None
         for name in wanted.regions:
             if name not in names:
                 wanted.mark.refuse(f'the region "{name}"', ", ".join(names) or "none: the body has none")
-        return Stiffness(len(names), [names.index(n) for n in wanted.regions], wanted.low, wanted.high)
+        return Factors(len(names), [names.index(n) for n in wanted.regions], wanted.low, wanted.high)
 
     def close(self):
         if hasattr(self, "search"):

@@ -21,9 +21,13 @@ class Design:
     magnetization: np.ndarray  # (elements, 3) [A/m]
     field: np.ndarray  # (3) [T]
     stiffness: np.ndarray = field(default_factory=lambda: np.zeros(0))  # factor of each region
+    thickness: np.ndarray = field(default_factory=lambda: np.zeros(0))
 
     def numbers(self):
-        return np.concatenate([self.magnetization.ravel(), self.field, self.stiffness])
+        return np.concatenate([self.magnetization.ravel(), self.field, self.stiffness, self.thickness])
+
+    def head(self, what, **more):
+        return {"do": what, "stiffness": len(self.stiffness), "thickness": len(self.thickness), **more}
 
 
 @dataclass
@@ -96,30 +100,31 @@ class Program:
 
     def move(self, x, old, new, halvings=3):
         """From the equilibrium x of one design to that of another."""
-        return self._found({"do": "move", "halvings": halvings, "stiffness": len(new.stiffness)}, x,
-                           old.numbers(), new.numbers())
+        return self._found(new.head("move", halvings=halvings), x, old.numbers(), new.numbers())
 
     def rise(self, design):
         """From the body at rest, while all loads rise."""
-        return self._found({"do": "rise", "stiffness": len(design.stiffness)}, design.numbers())
+        return self._found(design.head("rise"), design.numbers())
 
     def release(self, x, design):
         """Where the body comes to rest from x."""
-        return self._found({"do": "release", "stiffness": len(design.stiffness)}, x, design.numbers())
+        return self._found(design.head("release"), x, design.numbers())
 
     def sensitivity(self, x, design, entries, rows):
         """Derivatives of linear functionals of the positions: by the magnetisation
-        (rows, elements, 3), by the field (rows, 3), by the factors of stiffness (rows, regions).
+        (rows, elements, 3), by the field (rows, 3), by the factors of stiffness and of thickness
+        (rows, regions).
         entries: array of (row, 3 node + axis, weight, 1 for a force of supports)."""
-        self._ask({"do": "sensitivity", "rows": rows, "entries": len(entries),
-                   "stiffness": len(design.stiffness)}, x, design.numbers(), entries)
+        self._ask(design.head("sensitivity", rows=rows, entries=len(entries)), x, design.numbers(),
+                  entries)
         return (self._numbers(rows * self.volumes.size * 3).reshape(rows, -1, 3),
                 self._numbers(rows * 3).reshape(rows, 3),
-                self._numbers(rows * len(design.stiffness)).reshape(rows, -1))
+                self._numbers(rows * len(design.stiffness)).reshape(rows, len(design.stiffness)),
+                self._numbers(rows * len(design.thickness)).reshape(rows, len(design.thickness)))
 
     def support(self, x, design):
         """Forces of clamps and rollers on the nodes (nodes, 3) [N]."""
-        self._ask({"do": "support", "stiffness": len(design.stiffness)}, x, design.numbers())
+        self._ask(design.head("support"), x, design.numbers())
         return self._numbers(self.rest.size).reshape(-1, 3)
 
     def locate(self, points):

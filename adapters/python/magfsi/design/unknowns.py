@@ -174,8 +174,8 @@ class Field:
         return self.largest * by_field[:, self.axes] @ ball(unknowns, self.softness)[1]
 
 
-class Stiffness:
-    """Factors on the moduli of some regions, each between two bounds."""
+class Factors:
+    """Factors on the moduli, or on the thickness, of some regions, each between two bounds."""
 
     def __init__(self, regions, free, low, high):
         self.regions, self.free, self.low, self.high = regions, list(free), low, high
@@ -196,24 +196,27 @@ class Stiffness:
         return out
 
     def chain(self, unknowns, by_factors):
+        if not self.size:
+            return np.zeros((len(by_factors), 0))
         part = self._part(unknowns)
         return by_factors[:, self.free] * (self.high - self.low) * part * (1 - part)
 
 
 class Unknowns:
-    """All of them: magnetisation, stiffness, then the fields of the poses in turn."""
+    """All of them: magnetisation, stiffness, thickness, then the fields of the poses in turn."""
 
-    def __init__(self, magnetization, fields, stiffness=None):
+    def __init__(self, magnetization, fields, stiffness=None, thickness=None):
+        none = Factors(0, (), 0, 1)
         self.magnetization, self.fields = magnetization, fields
-        self.stiffness = stiffness or Stiffness(0, (), 0, 1)
-        sizes = [magnetization.size, self.stiffness.size, *(f.size for f in fields)]
+        self.stiffness, self.thickness = stiffness or none, thickness or none
+        sizes = [part.size for part in (magnetization, self.stiffness, self.thickness, *fields)]
         ends = np.cumsum(sizes)
         self._parts = [slice(end - size, end) for size, end in zip(sizes, ends)]
         self.size = int(ends[-1])
 
     def start(self):
         return np.concatenate([np.zeros(self.magnetization.size), self.stiffness.start(),
-                               *(f.start() for f in self.fields)])
+                               self.thickness.start(), *(f.start() for f in self.fields)])
 
     def part(self, p, which=0):
         return p[self._parts[which]]
@@ -223,14 +226,15 @@ class Unknowns:
 
     def designs(self, p):
         """One Design for each pose."""
-        m, factors = self.vectors(p), self.stiffness.factors(self.part(p, 1))
-        return [Design(m, f.vector(self.part(p, 2 + i)), factors) for i, f in enumerate(self.fields)]
+        m = self.vectors(p)
+        factors = self.stiffness.factors(self.part(p, 1)), self.thickness.factors(self.part(p, 2))
+        return [Design(m, f.vector(self.part(p, 3 + i)), *factors) for i, f in enumerate(self.fields)]
 
-    def chain(self, p, pose, by_magnetization, by_field, by_stiffness):
+    def chain(self, p, pose, by_magnetization, by_field, by_stiffness, by_thickness):
         """Jacobian (rows, size) of a pose's rows."""
         out = np.zeros((len(by_magnetization), self.size))
         out[:, self._parts[0]] = self.magnetization.chain(self.part(p), by_magnetization)
-        if self.stiffness.size:
-            out[:, self._parts[1]] = self.stiffness.chain(self.part(p, 1), by_stiffness)
-        out[:, self._parts[2 + pose]] = self.fields[pose].chain(self.part(p, 2 + pose), by_field)
+        out[:, self._parts[1]] = self.stiffness.chain(self.part(p, 1), by_stiffness)
+        out[:, self._parts[2]] = self.thickness.chain(self.part(p, 2), by_thickness)
+        out[:, self._parts[3 + pose]] = self.fields[pose].chain(self.part(p, 3 + pose), by_field)
         return out
