@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derivatives of functionals of an equilibrium, by adjoint solves.
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -109,8 +110,9 @@ Eigen::MatrixXd DesignProblem::by_thickness(
     Eigen::MatrixXd out(lambda.cols(), static_cast<Eigen::Index>(at.thickness.size()));
     for (std::size_t r = 0; r < at.thickness.size(); ++r) {
         Eigen::VectorXd force_n = Eigen::VectorXd::Zero(x.size()), moved = force_n;
-        for (const auto& [way, weight] :
-             {std::pair{1, 8.0}, {-1, -8.0}, {2, -1.0}, {-2, 1.0}}) {
+        constexpr std::array<std::pair<int, double>, 4> stencil{
+            {{1, 8.0}, {-1, -8.0}, {2, -1.0}, {-2, 1.0}}};
+        for (const auto& [way, weight] : stencil) {
             Design there = at;
             there.thickness[r] += way * step;
             Body body = shaped(there);
