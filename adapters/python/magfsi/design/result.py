@@ -13,7 +13,7 @@ from magfsi.study import store
 
 # Of the scene: what has to do with the body and its loads.
 KEPT = ("name", "bodies", "magnetic_field", "gravity", "platform", "contact", "damping")
-RISE_S = 1.0  # of the scene that is written: the field of a pose rises, and goes, within
+RISE_S = 1.0  # of the scene that is written: the field of a pose rises, stays and goes, each within
 
 
 def _csv(columns):
@@ -60,7 +60,7 @@ def scene_tree(problem, fields, factors, folder):
     if len(factors):
         _stiffen(out["bodies"][name], problem, factors)
     course = [f"[{', '.join(f'{b:.9g} T' for b in row)}]"
-              for field in fields for row in (np.zeros(3), field)]
+              for field in fields for row in (np.zeros(3), field, field)]
     kept = {key: value for key, value in (tree.get("magnetic_field") or {}).items()
             if key in ("plane", "gradient", "sources")}
     times = [f"{RISE_S * i:g} s" for i in range(len(course))]
@@ -92,7 +92,7 @@ def _stiffen(body, problem, factors):
 
 def scene_text(problem, fields, factors, folder):
     tree = scene_tree(problem, fields, factors, folder)
-    said = "".join(f"#   {pose.name}: {(2 * i + 1) * RISE_S:g} s\n"
+    said = "".join(f"#   {pose.name}: {(3 * i + 2) * RISE_S:g} s\n"
                    for i, pose in enumerate(problem.wanted.poses))
     return (f"# A design of {problem.wanted.file.name}; its poses are there at\n{said}"
             + yaml.safe_dump(tree, sort_keys=False, allow_unicode=True, default_flow_style=None,
