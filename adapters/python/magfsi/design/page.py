@@ -7,6 +7,7 @@ import io
 
 import numpy as np
 
+from magfsi.design.mesh_file import boundary
 from magfsi.design.objective import Points
 from magfsi.report import page as of_a_run
 
@@ -49,10 +50,7 @@ def _sections(problem, vectors, x, axes, count=36):
 def _draw_pose(axes_of_figure, problem, objective, vectors, x, field, title, axes):
     program = problem.program
     elements = np.array(program.facts["element_nodes"])
-    quads = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
-    sides = np.concatenate([elements[:, q] for q in quads])
-    _, index, times = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
-    skin = sides[index[times == 1]]
+    skin = boundary(elements)
     from matplotlib.collections import PolyCollection
 
     axes_of_figure.add_collection(PolyCollection(1e3 * x[skin][:, :, axes], facecolors="0.82",

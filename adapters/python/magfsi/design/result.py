@@ -37,7 +37,7 @@ def shape_text(term, x):
     return _csv(columns)
 
 
-def scene_tree(problem, fields, factors, folder):
+def scene_tree(problem, designs, folder):
     """The scene with the design: each pose's field rises, stays for a moment and goes."""
     wanted = problem.wanted
     scene = store.scene_file(wanted.scene)
@@ -57,10 +57,13 @@ def scene_tree(problem, fields, factors, folder):
     out["name"] = wanted.name
     out["bodies"] = {name: {**tree["bodies"][name], "magnetization":
                             {"table": {"file": "magnetization.csv"}}}}
-    if len(factors):
-        _stiffen(out["bodies"][name], problem, factors)
+    if len(designs[0].stiffness):
+        _stiffen(out["bodies"][name], problem, designs[0].stiffness)
+    if len(designs[0].thickness):  # the mesh is then in a file, with its regions
+        out["bodies"][name]["mesh"] = {"gmsh": {"file": "mesh.msh", "unit": "1 m"}}
+        out["bodies"][name].pop("regions", None)
     course = [f"[{', '.join(f'{b:.9g} T' for b in row)}]"
-              for field in fields for row in (np.zeros(3), field, field)]
+              for field in (d.field for d in designs) for row in (np.zeros(3), field, field)]
     kept = {key: value for key, value in (tree.get("magnetic_field") or {}).items()
             if key in ("plane", "gradient", "sources")}
     times = [f"{RISE_S * i:g} s" for i in range(len(course))]
@@ -90,8 +93,8 @@ def _stiffen(body, problem, factors):
         for name, factor in zip(problem.program.facts["regions"], factors)]
 
 
-def scene_text(problem, fields, factors, folder):
-    tree = scene_tree(problem, fields, factors, folder)
+def scene_text(problem, designs, folder):
+    tree = scene_tree(problem, designs, folder)
     said = "".join(f"#   {pose.name}: {(3 * i + 2) * RISE_S:g} s\n"
                    for i, pose in enumerate(problem.wanted.poses))
     return (f"# A design of {problem.wanted.file.name}; its poses are there at\n{said}"

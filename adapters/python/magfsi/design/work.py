@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from magfsi.design import manufacture, page, result
+from magfsi.design import manufacture, mesh_file, page, result
 from magfsi.design.objective import Points
 from magfsi.design.problem import Problem
 from magfsi.design.program import Failed
@@ -122,8 +122,11 @@ def _pages(problem, search, state, facts, out):
     """All files of a design, by name."""
     designs = search.unknowns.designs(state.p)
     texts = {"magnetization.csv": result.magnetization_text(problem.program, designs[0].magnetization),
-             "scene.yaml": result.scene_text(problem, [d.field for d in designs], designs[0].stiffness, out),
+             "scene.yaml": result.scene_text(problem, designs, out),
              "history.csv": result.history_text(search)}
+    if len(designs[0].thickness):
+        texts["mesh.msh"] = mesh_file.gmsh_text(
+            problem.program, mesh_file.thickened(problem.program, designs[0].thickness))
     for pose, objective, x in zip(problem.wanted.poses, search.poses, state.x):
         for term in objective.terms:
             if isinstance(term, Points) and term.curve:
