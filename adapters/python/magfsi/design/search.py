@@ -26,7 +26,7 @@ class State:
 class Step:
     """A line of the history."""
     share: float  # of the way from the first shapes to those that are wanted
-    rms: float  # root of the mean square of residuals, against the stage's goal
+    rms: float  # against the stage's goal, of the body's length
     damping: float
     trials: int
     lost: int  # trials whose equilibrium was lost
@@ -124,7 +124,7 @@ class Search:
         return r @ r + self.options.prior * (p @ p)
 
     def _direction(self, j, gram, r, p, damping):
-        """Minimum of |r + J d|^2 + prior |p + d|^2 + damping |d|^2, and the model's decrease."""
+        """Minimum of |r + J d|^2 + prior |p + d|^2 + damping |d|^2."""
         prior = self.options.prior
         total = prior + damping
         slope = j.T @ r + prior * p
@@ -171,9 +171,8 @@ class Search:
             if gain > 1e-3:
                 self.damping = max(self.damping * (0.1 if gain > 0.7 else 0.5 if gain > 0.3 else 2.0),
                                    1e-9)
-                after = self.residual(new, share)
-                self.history.append(Step(share, float(np.linalg.norm(after)), self.damping, trial,
-                                         lost, time.monotonic() - self.began))
+                self.history.append(Step(share, self.rms(new, share), self.damping, trial, lost,
+                                         time.monotonic() - self.began))
                 self.latest = new
                 self.tell(self)
                 return new
@@ -181,6 +180,7 @@ class Search:
         return None
 
     def rms(self, state, share):
+        """Root of the mean square of what the poses are off by."""
         return float(np.linalg.norm(self.residual(state, share)) / np.sqrt(len(self.poses)))
 
     def out_of_time(self):
@@ -209,6 +209,8 @@ class Search:
         that could be followed."""
         part = self.unknowns.magnetization
         for softness in (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.02):
+            if softness >= part.softness:
+                continue  # when a search goes on
             before, kept = self.unknowns.designs(state.p), part.softness
             part.softness = softness
             after = self.unknowns.designs(state.p)

@@ -64,8 +64,8 @@ def explained(problem):
 class Keeper:
     """Saves the search now and then, and tells how far it is."""
 
-    def __init__(self, out, key, shown):
-        self.out, self.key, self.shown, self.state = out, key, shown, None
+    def __init__(self, out, shown):
+        self.out, self.key, self.shown = out, "", shown
         self._saved = time.monotonic()
         self._wide = 0
 
@@ -92,6 +92,7 @@ class Keeper:
         data = io.BytesIO()
         starts = [s for pose in search.poses for t in pose.terms for s in [t.start_state()]]
         np.savez(data, key=np.array(self.key), p=state.p, share=search.share, damping=search.damping,
+                 softness=search.unknowns.magnetization.softness,
                  seconds=time.monotonic() - search.began,
                  history=np.array([[s.share, s.rms, s.damping, s.trials, s.lost, s.seconds]
                                    for s in search.history]).reshape(-1, 6),
@@ -109,6 +110,7 @@ class Keeper:
             if str(data["key"]) != self.key:
                 return None
             search.share, search.damping = float(data["share"]), float(data["damping"])
+            search.unknowns.magnetization.softness = float(data["softness"])
             search.began -= float(data["seconds"])
             search.history = [Step(*row[:3], int(row[3]), int(row[4]), row[5]) for row in data["history"]]
             for i, term in enumerate(t for pose in search.poses for t in pose.terms):
@@ -178,9 +180,9 @@ def design(wanted, out, quantize=None, overwrite=False, shown=False, options=Non
     """Searches and writes `out`. Raises InputError, with nothing written, and Lost."""
     out = Path(out)
     began = time.monotonic()
-    keeper = Keeper(out, _key(wanted), shown)
+    keeper = Keeper(out, shown)
     with Problem(wanted, options=options, tell=keeper) as problem:
-        search = problem.search
+        search, keeper.key = problem.search, _key(wanted)
         try:
             state = None if overwrite else keeper.kept(search)
             state = state or search.begin(search.unknowns.start())
