@@ -18,11 +18,14 @@
 //   {"do": "support"}                x, design                 -> forces on the nodes
 //   {"do": "locate", "points": n}    n points  -> n times 8 nodes, 8 weights
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "adapters/scene/fault.h"
 #include "adapters/scene/reader.h"
@@ -252,6 +255,7 @@ int main(int argc, char** argv) {
     app.add_option("--body", body, "Name of the body (default: the only one)");
     app.add_option("--set", overrides, "Override a value of the scene")
         ->allow_extra_args(false);
+    std::ios::sync_with_stdio(false);
     try {
         app.parse(argc, argv);
         design::Server server(scene::read_scene(path, overrides), body);
