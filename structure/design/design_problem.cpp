@@ -240,6 +240,7 @@ DesignProblem::Found DesignProblem::move(const Eigen::VectorXd& x, const Design&
                           settle(next, load);
         out.iterations = next.iterations;
         if (good) {
+            step = 1.5 * (ahead - out.share);
             out = std::move(next);
         } else if (step > smallest) {
             step = std::max(0.5 * (ahead - out.share), smallest);
