@@ -52,6 +52,8 @@ StaticLoads blend(const StaticLoads& a, const StaticLoads& b, double share) {
 // Factors at a share of the way; none at all are ones.
 std::vector<double> blend(const std::vector<double>& a, const std::vector<double>& b,
                           double share) {
+    // Equal ones stay the same to the last digit, so that nothing is built anew for them.
+    if (a == b) return a;
     std::vector<double> out(std::max(a.size(), b.size()));
     for (std::size_t r = 0; r < out.size(); ++r)
         out[r] = (1 - share) * (a.empty() ? 1 : a[r]) + share * (b.empty() ? 1 : b[r]);
