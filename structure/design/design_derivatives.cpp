@@ -199,7 +199,7 @@ void StaticProblem::add_position_forces(std::size_t e, const Eigen::VectorXd& x,
                                         std::span<const FieldSample> at,
                                         Forces24& out) const {
     const Hexahedron& nodes = body_.mesh.elements[e];
-    const std::vector<Hexahedron> alone{{0, 1, 2, 3, 4, 5, 6, 7}};
+    const std::vector<Hexahedron> alone(1, Hexahedron{0, 1, 2, 3, 4, 5, 6, 7});
     std::vector<Vec3> rest_m;
     std::vector<FieldSample> here;
     for (const int node : nodes) {

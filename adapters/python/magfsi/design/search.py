@@ -38,9 +38,13 @@ class Options:
     first_stage: float = 0.1
     stage_iterations: int = 4
     final_iterations: int = 40
-    stage_rms: float = 2e-3
-    enough_rms: float = 2e-4
-    prior: float = 1e-8  # weight of the unknowns' mean square: of equal designs the weakest
+    stage_rms: float = 3e-3
+    enough_rms: float = 1e-3  # what the poses may be off by
+    # Weight of the unknowns' mean square. It begins with the first value and falls, in factors of
+    # ten, until the poses are met: of all designs that meet them this is about the weakest, and none
+    # that makes up for the last digits of a mesh by large magnetisations to and fro.
+    prior: float = 1e-4
+    least_prior: float = 1e-9
     largest_move: float = 0.12  # predicted of a point in one trial, in lengths of the body
     trials: int = 12
     limit_s: float = float("inf")
@@ -53,6 +57,7 @@ class Search:
         self.unknowns, self.poses, self.programs = unknowns, poses, programs
         self.options, self.tell = options or Options(), tell
         self.history, self.damping, self.share = [], 1e-3, 0.0
+        self.prior = self.options.prior
         self.began = time.monotonic()
         self.latest, self.each_stage = None, lambda state: None
         # Poses that share a process take turns; the others run at the same time.
@@ -121,11 +126,11 @@ class Search:
     # --- steps ---
 
     def _cost(self, r, p):
-        return r @ r + self.options.prior * (p @ p)
+        return r @ r + self.prior * (p @ p)
 
     def _direction(self, j, gram, r, p, damping):
         """Minimum of |r + J d|^2 + prior |p + d|^2 + damping |d|^2."""
-        prior = self.options.prior
+        prior = self.prior
         total = prior + damping
         slope = j.T @ r + prior * p
         if gram is not None:  # fewer residuals than unknowns
@@ -160,7 +165,7 @@ class Search:
             largest = self._largest_move(j @ d)
             d *= min(1.0, options.largest_move / max(largest, 1e-30))
             expected = self._decrease(j, r, state.p, d)
-            if not expected > 1e-6 * before:
+            if not expected > 1e-3 * before:
                 return None
             new = self.moved(state, state.p + d)
             gain = -1.0
@@ -194,9 +199,13 @@ class Search:
             iterations = 0
             while iterations < options.stage_iterations and self.rms(state, share) > options.stage_rms:
                 new = self.improved(state, share)
-                if new is None:
+                if new is not None:
+                    state, iterations = new, iterations + 1
+                elif self.prior > self.options.least_prior:
+                    self.prior *= 0.1
+                    self.damping = min(self.damping, 1e-3)
+                else:
                     break
-                state, iterations = new, iterations + 1
             self.share = share
             self.each_stage(state)
             step = min(0.25, step * (1.5 if iterations <= 2 else 1.0 if iterations < 4 else 0.7))
@@ -223,17 +232,19 @@ class Search:
         return state
 
     def final(self, state):
-        """Iterates on the wanted goal until it is met or nothing is gained any more."""
-        for _ in range(self.options.final_iterations):
-            before = self.rms(state, 1.0)
-            if before < self.options.enough_rms or self.out_of_time():
-                break
+        """Iterates on the wanted goal until it is met, or nothing is gained any more."""
+        left = self.options.final_iterations
+        while self.rms(state, 1.0) > self.options.enough_rms and left > 0 and not self.out_of_time():
             new = self.improved(state, 1.0)
-            if new is None:
+            left -= 1
+            if new is not None:
+                before, state = self._cost(self.residual(state, 1.0), state.p), new
+                if self._cost(self.residual(state, 1.0), state.p) < 0.98 * before:
+                    continue
+            if self.prior <= self.options.least_prior:
                 break
-            state = new
-            if self.rms(state, 1.0) > 0.998 * before:
-                break
+            self.prior *= 0.1
+            self.damping = min(self.damping, 1e-3)
         return state
 
     # --- afterwards ---

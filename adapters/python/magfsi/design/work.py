@@ -92,7 +92,7 @@ class Keeper:
         data = io.BytesIO()
         starts = [s for pose in search.poses for t in pose.terms for s in [t.start_state()]]
         np.savez(data, key=np.array(self.key), p=state.p, share=search.share, damping=search.damping,
-                 softness=search.unknowns.magnetization.softness,
+                 prior=search.prior, softness=search.unknowns.magnetization.softness,
                  seconds=time.monotonic() - search.began,
                  history=np.array([[s.share, s.rms, s.damping, s.trials, s.lost, s.seconds]
                                    for s in search.history]).reshape(-1, 6),
@@ -110,6 +110,7 @@ class Keeper:
             if str(data["key"]) != self.key:
                 return None
             search.share, search.damping = float(data["share"]), float(data["damping"])
+            search.prior = float(data["prior"])
             search.unknowns.magnetization.softness = float(data["softness"])
             search.began -= float(data["seconds"])
             search.history = [Step(*row[:3], int(row[3]), int(row[4]), row[5]) for row in data["history"]]
