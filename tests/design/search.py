@@ -21,20 +21,21 @@ class Case:
     """A shape in the field at an angle and its mirror image in the field at minus that angle."""
 
     def __init__(self, heading, angle, strength=60e3, parts=1, free="", smoothing_m=0.0, mirrored=True,
-                 enough_rms=1e-3):
+                 prior=None):
         self.program = Beam(STRIP, parts=parts)
         line = STRIP.line(heading)
         other = line * [1, 1, -1] + [0, 0, STRIP.height_m]
-        shares = np.linspace(0, 1, 41)
-        nodes, weights = self.program.locate(curves.at_shares(self.program.rest, shares))
+        nodes, weights = self.program.centre_line()
+        chords = np.full(self.program.pieces, self.program.piece_m)
         signs = (1, -1) if mirrored else (1,)
-        poses = [PoseObjective([Points(nodes, weights, curves.at_shares(goal, shares), AXES, 1.0,
+        poses = [PoseObjective([Points(nodes[::2], weights[::2], curves.walk(goal, chords)[::2], AXES, 1.0,
                                        STRIP.length_m, True)]) for goal, _ in zip((line, other), signs)]
         fields = [Field(FIELD_T * np.array([math.cos(angle), 0, sign * math.sin(angle)]), free, axes=AXES)
                   for sign in signs]
         self.magnetization = Magnetization(groups(self.program), strength, AXES, smoothing_m)
         self.search = Search(Unknowns(self.magnetization, fields), poses, [self.program] * len(poses),
-                             Options(enough_rms=enough_rms))
+                             Options(enough_rms=0, prior=prior, least_prior=prior) if prior
+                             else Options())
         self.state = self.search.stages(self.search.begin(self.search.unknowns.start()))
 
     def report(self, name):
@@ -51,9 +52,12 @@ class Beams(unittest.TestCase):
         search, state = case.search, case.state
         way = np.random.default_rng(1).normal(size=state.p.size)
         j = search.jacobian(state) @ way
-        h = 3e-5
-        ahead, back = (search.residual(search.moved(state, state.p + s * h * way), 1.0) for s in (1, -1))
-        self.assertLess(np.abs((ahead - back) / (2 * h) - j).max() / np.abs(j).max(), 1e-6)
+        h = 1e-3  # differences of the fourth order: an error of some h^4
+        f = {k: search.residual(search.moved(state, state.p + k * h * way), 1.0) for k in (-2, -1, 1, 2)}
+        found = (8 * (f[1] - f[-1]) - (f[2] - f[-2])) / (12 * h)
+        error = np.abs(found - j).max() / np.abs(j).max()
+        testing.report(f"gradient: {error:.1e}")
+        self.assertLess(error, 1e-6)
 
     def test_letter(self):
         case = Case(letter(math.radians(108)), math.radians(144))
@@ -70,15 +74,17 @@ class Beams(unittest.TestCase):
         self.assertLess(max(case.search.errors(case.state)), 0.01)
 
     def test_closed_form(self):
-        """E I th'' = -m B sin(b - th), of the order of the pieces."""
+        """E I th'' = -m B sin(b - th). Next to the clamp the hinges bend otherwise than a beam, and near
+        the free end a torque turns hardly anything: a tenth of the length at either end is left out."""
         turn, angle = math.radians(90), math.radians(144)
-        case = Case(letter(turn), angle, enough_rms=2e-4)
+        case = Case(letter(turn), angle, prior=1e-5)
         case.report("S by 90 degrees")
         m = case.search.unknowns.vectors(case.state.p)
         s = case.program.centres[:, 0] / STRIP.length_m
         second = turn * 2 * math.pi**2 * np.cos(2 * math.pi * s) / STRIP.length_m**2
         exact = -STRIP.bending_nm2() * second / (STRIP.area_m2() * FIELD_T * np.sin(angle - letter(turn)(s)))
-        off = np.sqrt(np.mean((m[:, 0] - exact)**2 + m[:, 2]**2) / np.mean(exact**2))
+        within = (s > 0.1) & (s < 0.9)
+        off = np.sqrt(np.mean(((m[:, 0] - exact)**2 + m[:, 2]**2)[within]) / np.mean(exact[within]**2))
         testing.report(f"profile off by {100 * off:.2f} %")
         self.assertLess(off, 0.02)
 

@@ -14,6 +14,27 @@ def at_shares(points, shares):
     return np.stack([np.interp(np.asarray(shares) * s[-1], s, points[:, d]) for d in range(3)], axis=1)
 
 
+def walk(points, chords):
+    """Points along a polygon, from its first one, at these straight distances from each other; past
+    its end they go on along the last piece. A mesh bends as straight pieces that keep their lengths:
+    to follow a curve its nodes are to be at equal chords, not at equal shares of the arc, which are
+    shorter where the curve bends more."""
+    ahead = points[-1] - points[-2]
+    ahead = ahead / np.linalg.norm(ahead) * (2 * np.sum(chords))
+    path = np.vstack([points, points[-1] + ahead])
+    out, piece, begin = [points[0]], 0, points[0]
+    for chord in chords:
+        centre = out[-1]
+        while np.linalg.norm(path[piece + 1] - centre) < chord:
+            piece, begin = piece + 1, path[piece + 1]
+        # Where the rest of this piece leaves the ball of radius `chord` about the last point.
+        way, off = path[piece + 1] - begin, begin - centre
+        a, b, c = way @ way, off @ way, off @ off - chord**2
+        begin = begin + (-b + np.sqrt(max(b * b - a * c, 0.0))) / a * way
+        out.append(begin)
+    return np.array(out)
+
+
 def _cross(v):
     return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 

@@ -65,11 +65,9 @@ def _curve(goal, program, reach, axes, length_m):
     if abs(curve_m / body_m - 1) > LENGTH_TOLERANCE:
         goal.mark.refuse(f"a curve {1e3 * curve_m:.4g} mm long",
                          f"the length of the body's centre line within 2 %: {1e3 * body_m:.4g} mm")
-    # Points of the body at equal distances; each is to be where the curve has the same share.
-    shares = np.linspace(0, 1, goal.count)
-    there = curves.at_shares(line, shares)
-    nodes, weights = program.locate(there)
-    wanted = curves.at_shares(goal.points_m, shares)
+    wanted = curves.walk(goal.points_m, np.diff(curves.lengths(line)))
+    some = np.unique(np.round(np.linspace(0, len(line) - 1, min(goal.count, len(line)))).astype(int))
+    nodes, weights, wanted = nodes[some], weights[some], wanted[some]
     reach.check(goal.mark, nodes, weights, wanted)
     return Points(nodes, weights, wanted, axes, goal.weight, length_m, curve=True)
 
