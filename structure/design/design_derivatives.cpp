@@ -24,7 +24,8 @@ Eigen::Matrix<double, 24, Eigen::Dynamic> columns_of(const Hexahedron& nodes,
                                                      const Eigen::MatrixXd& all) {
     Eigen::Matrix<double, 24, Eigen::Dynamic> out(24, all.cols());
     for (int a = 0; a < 8; ++a)
-        out.middleRows<3>(3 * a) = all.middleRows(3 * static_cast<Eigen::Index>(nodes[a]), 3);
+        out.middleRows<3>(3 * a) =
+            all.middleRows(3 * static_cast<Eigen::Index>(nodes[a]), 3);
     return out;
 }
 
@@ -118,14 +119,15 @@ Eigen::MatrixXd DesignProblem::by_thickness(
             Body body = shaped(there);
             body.magnetization_a_m = at.magnetization_a_m;
             Eigen::VectorXd positions = x;
-            Eigen::VectorXd change = flat_positions(body.mesh.nodes) - flat_positions(rest);
+            Eigen::VectorXd change =
+                flat_positions(body.mesh.nodes) - flat_positions(rest);
             for (Eigen::Index q = 0; q < x.size(); ++q) {
                 if (!held[q / 3][q % 3]) change[q] = 0;
             }
             positions += change;
             const StaticProblem other(body, surroundings_);
-            force_n += weight / (12 * step) *
-                       other.force_n(positions, other.load(at.loads));
+            force_n +=
+                weight / (12 * step) * other.force_n(positions, other.load(at.loads));
             moved += weight / (12 * step) * change;
         }
         const auto column = static_cast<Eigen::Index>(r);
@@ -228,16 +230,17 @@ void StaticProblem::add_position_forces(std::size_t e, const Eigen::VectorXd& x,
 Eigen::MatrixXd StaticProblem::forces_by_field() const {
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(3 * charge_.size(), 3);
     for (std::size_t n = 0; n < charge_.size(); ++n)
-        out.middleRows<3>(3 * static_cast<Eigen::Index>(n)).diagonal().setConstant(charge_[n]);
+        out.middleRows<3>(3 * static_cast<Eigen::Index>(n))
+            .diagonal()
+            .setConstant(charge_[n]);
     return out;
 }
 
 StaticProblem::Values24 StaticProblem::elastic_force_n(std::size_t element,
                                                        const Eigen::VectorXd& x) const {
-    const Positions8 force =
-        element_energy(references_[element], material(element),
-                       element_positions(element, x))
-            .force_n;
+    const Positions8 force = element_energy(references_[element], material(element),
+                                            element_positions(element, x))
+                                 .force_n;
     Values24 out;
     for (int a = 0; a < 8; ++a) out.segment<3>(3 * a) = force.row(a).transpose();
     return out;

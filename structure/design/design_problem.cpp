@@ -196,7 +196,8 @@ Eigen::VectorXd DesignProblem::carried(const Eigen::VectorXd& x,
     const std::vector<HeldAxes> held = held_axes(body_);
     for (Eigen::Index q = 0; q < out.size(); ++q) {
         if (!held[q / 3][q % 3]) continue;
-        const auto n = static_cast<std::size_t>(q / 3), d = static_cast<std::size_t>(q % 3);
+        const auto n = static_cast<std::size_t>(q / 3),
+                   d = static_cast<std::size_t>(q % 3);
         out[q] = x[q] + after.mesh.nodes[n][d] - before.mesh.nodes[n][d];
     }
     return out;
@@ -205,8 +206,8 @@ Eigen::VectorXd DesignProblem::carried(const Eigen::VectorXd& x,
 bool DesignProblem::settle(Found& found, const NodalLoads& load) {
     // One more step squares the error of the tolerance; further ones only shuffle the
     // rounding.
-    const Iterate closer = mixed_iteration(*problem_, found.x, load, {}, 1,
-                                           problem_->longest_side_m());
+    const Iterate closer =
+        mixed_iteration(*problem_, found.x, load, {}, 1, problem_->longest_side_m());
     found.iterations += closer.iterations;
     const double before = problem_->response(found.x, load).residual_n.norm();
     if (closer.response.smallest_j > 0 && closer.response.residual_n.norm() < before)

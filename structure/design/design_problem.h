@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The equilibrium of one body in one pose as a function of what a designer may choose:
-// magnetisation, loads, stiffness and thickness. Derivatives are by the adjoint method: with the
-// residual f(x, p) = 0 and the tangent K = -df/dx, a functional r(x) has
+// magnetisation, loads, stiffness and thickness. Derivatives are by the adjoint method:
+// with the residual f(x, p) = 0 and the tangent K = -df/dx, a functional r(x) has
 //   dr/dp = lambda . df/dp,   K lambda = dr/dx,
 // one solve with Newton's factor for each functional, whatever the number of unknowns.
 #pragma once

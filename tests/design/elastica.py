@@ -17,6 +17,7 @@ from magfsi import testing
 from magfsi.design import manufacture
 from magfsi.design.design_file import read_design
 from magfsi.design.problem import Problem
+from magfsi.design.search import Options
 
 WITHIN = 0.02
 ANGLE = math.radians(144)
@@ -32,6 +33,11 @@ SHAPES = {
 }
 
 
+def exact_to(prior):
+    """Options of a search that goes on as long as it gains, with this weight of the magnetisation."""
+    return Options(enough_rms=0, prior=prior, least_prior=prior)
+
+
 def found(strip, heading, field_mt, strength):
     """Problem and state of the design of a shape and its mirror image."""
     folder = folder_with(scene_yaml=strip.text, design_yaml=FILE.format(
@@ -40,7 +46,7 @@ def found(strip, heading, field_mt, strength):
     write_curve(folder / "one.csv", line)
     line[:, 2] = strip.height_m - line[:, 2]
     write_curve(folder / "other.csv", line)
-    problem = Problem(read_design(folder / "design.yaml"))
+    problem = Problem(read_design(folder / "design.yaml"), options=exact_to(1e-5))
     return problem, problem.search.stages(problem.search.begin(problem.unknowns.start()))
 
 
@@ -55,7 +61,11 @@ class Elastica(unittest.TestCase):
             s = problem.program.centres[:, 0] / strip.length_m
             exact = (-strip.bending_nm2() * second(s) / strip.length_m**2
                      / (strip.area_m2() * 1e-3 * field_mt * np.sin(ANGLE - heading(s))))
-            off = np.sqrt(np.mean((m[:, 0] - exact)**2 + m[:, 2]**2) / np.mean(exact**2))
+            # The clamp of a solid keeps its section, and near the free end a torque turns hardly
+            # anything: a tenth of the length at either end is left out.
+            within = (s > 0.1) & (s < 0.9)
+            off = np.sqrt(np.mean(((m[:, 0] - exact)**2 + m[:, 2]**2)[within])
+                          / np.mean(exact[within]**2))
             testing.report(f"{shape}, {strip.elements}: off by {100 * off:.2f} % (shapes by "
                            f"{[f'{100 * e:.3f} %' for e in search.errors(state)]})")
             return off
@@ -102,7 +112,7 @@ class Harmonic(unittest.TestCase):
             write_curve(folder / f"{name}.csv", np.einsum("pa,pad->pd", weights, risen.x[nodes]))
         program.close()
         (folder / "design.yaml").write_text(OF_HARMONIC)
-        with Problem(read_design(folder / "design.yaml")) as problem:
+        with Problem(read_design(folder / "design.yaml"), options=exact_to(1e-7)) as problem:
             search = problem.search
             state = search.stages(search.begin(search.unknowns.start()))
             part = problem.magnetization

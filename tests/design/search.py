@@ -3,16 +3,20 @@
 import math
 import sys
 import unittest
+from unittest import mock
 
 import numpy as np
 
 from beam import Beam
-from designs import Strip, letter
+from designs import Strip, letter, write_curve
+from letter import folder_of
 from magfsi import testing
-from magfsi.design import curves, manufacture
+from magfsi.design import curves, manufacture, problem, work
+from magfsi.design.design_file import read_design
 from magfsi.design.objective import Points, PoseObjective
 from magfsi.design.search import Options, Search
 from magfsi.design.unknowns import Field, Magnetization, Unknowns, groups
+from magfsi.study.marked import InputError
 
 STRIP, FIELD_T, AXES = Strip(), 0.02, (0, 2)
 
@@ -52,7 +56,7 @@ class Beams(unittest.TestCase):
         search, state = case.search, case.state
         way = np.random.default_rng(1).normal(size=state.p.size)
         j = search.jacobian(state) @ way
-        h = 1e-3  # differences of the fourth order: an error of some h^4
+        h = 1e-4  # differences of the fourth order: an error of some h^4
         f = {k: search.residual(search.moved(state, state.p + k * h * way), 1.0) for k in (-2, -1, 1, 2)}
         found = (8 * (f[1] - f[-1]) - (f[2] - f[-2])) / (12 * h)
         error = np.abs(found - j).max() / np.abs(j).max()
@@ -100,6 +104,49 @@ class Beams(unittest.TestCase):
         testing.report(f"four vectors: {[f'{100 * e:.3f} %' for e in errors]}")
         self.assertLess(max(errors), 0.02)
         self.assertLessEqual(len(np.unique(search.unknowns.vectors(state.p), axis=0)), 4)
+
+
+class Work(unittest.TestCase):
+    """Files, checks and results around the search, with the beam in the place of the program."""
+
+    def setUp(self):
+        self.folder = folder_of(STRIP, 60)
+        self.patches = [mock.patch.object(problem, "Program", lambda *_: Beam(STRIP)),
+                        mock.patch.object(work.page, "figure", lambda *_: b"")]
+        for patch in self.patches:
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def test_results(self):
+        wanted = read_design(self.folder / "letter.yaml")
+        done = work.design(wanted, self.folder / "out")
+        testing.report(done.text)
+        for name in ("magnetization.csv", "scene.yaml", "history.csv", "shape_s.csv", "design.html",
+                     "results.json", "state.npz"):
+            self.assertTrue((self.folder / "out" / name).exists(), name)
+        for pose in done.summary["poses"].values():
+            self.assertLess(pose["error"], 0.01)
+            self.assertTrue(pose["reached_by_rise"])
+        steps = done.summary["steps"]
+        again = work.design(wanted, self.folder / "out")
+        self.assertEqual(again.summary["steps"], steps, "it went on where it had ended")
+
+    def refused(self, old, new, *words):
+        file = self.folder / "letter.yaml"
+        file.write_text(file.read_text().replace(old, new))
+        with self.assertRaises(InputError) as caught:
+            work.design(read_design(file), self.folder / "out")
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_wrong_length(self):
+        write_curve(self.folder / "s.csv", 1.2 * STRIP.line(letter(1.0)))
+        self.refused("", "", "letter.yaml:4:", "a curve 24 mm long", "20 mm")
+
+    def test_begins_elsewhere(self):
+        write_curve(self.folder / "s.csv", STRIP.line(letter(1.0)) + [0, 0, 5e-3])
+        self.refused("", "", "letter.yaml:4:", "out of reach")
 
 
 if __name__ == "__main__":

@@ -4,11 +4,11 @@
 //    magfsi-design SCENE [--body NAME] [--set KEY=VALUE]
 //
 // Standard input and output carry messages. Each is a line of JSON and the doubles that
-// it announces, in the machine's own bytes. The first output describes the body; then each
-// request has one answer. An answer {"error": ...} has no doubles. A design is 3 values
-// per element (magnetisation), 3 of the field, and as many factors of stiffness and of
-// thickness as the request says under "stiffness" and "thickness" (0 or the number of
-// regions). Requests:
+// it announces, in the machine's own bytes. The first output describes the body; then
+// each request has one answer. An answer {"error": ...} has no doubles. A design is 3
+// values per element (magnetisation), 3 of the field, and as many factors of stiffness
+// and of thickness as the request says under "stiffness" and "thickness" (0 or the number
+// of regions). Requests:
 //   {"do": "move", "halvings": n}    x, design from, design to -> {"share", ...}, x
 //   {"do": "rise"}                   design                    -> {"share", ...}, x
 //   {"do": "release"}                x, design                 -> {"share", ...}, x
@@ -86,15 +86,17 @@ std::size_t body_number(const scene::Scene& scene, const std::string& name) {
     for (const scene::Body& body : scene.bodies) names.push_back(body.name);
     const auto found = std::ranges::find(names, name);
     if (found != names.end()) return found - names.begin();
-    throw std::invalid_argument(
-        fmt::format("body: found {}; allowed is one of {}",
-                    name.empty() ? "none" : scene::in_quotes(name), fmt::join(names, ", ")));
+    throw std::invalid_argument(fmt::format(
+        "body: found {}; allowed is one of {}",
+        name.empty() ? "none" : scene::in_quotes(name), fmt::join(names, ", ")));
 }
 
 class Server {
   public:
     Server(scene::Scene scene, const std::string& body)
-        : scene_(std::move(scene)), number_(body_number(scene_, body)), body_(designed()) {
+        : scene_(std::move(scene)),
+          number_(body_number(scene_, body)),
+          body_(designed()) {
         base_loads_ = bodies::loads_at(scene_, scene_.bodies[number_], 0);
         base_loads_.field_t = {};
     }
@@ -125,8 +127,8 @@ structure::Body Server::designed() {
     scene_.bodies[number_].magnetization = structure::UniformMagnetization{};
     const bodies::Solids solids = bodies::to_bodies(scene_);
     const auto surroundings = bodies::to_surroundings(scene_, solids);
-    problem_ =
-        std::make_unique<structure::DesignProblem>(solids[number_], surroundings[number_]);
+    problem_ = std::make_unique<structure::DesignProblem>(solids[number_],
+                                                          surroundings[number_]);
     return solids[number_];
 }
 
@@ -159,7 +161,8 @@ void Server::describe() const {
 
 Eigen::VectorXd Server::read_positions() const {
     const Numbers x = read_numbers(3 * body_.mesh.nodes.size());
-    return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+    return Eigen::Map<const Eigen::VectorXd>(x.data(),
+                                             static_cast<Eigen::Index>(x.size()));
 }
 
 Design Server::read_design(const json& request) const {
@@ -177,8 +180,9 @@ Design Server::read_design(const json& request) const {
 
 void Server::answer_found(const structure::DesignProblem::Found& found) const {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began_;
-    answer({{"share", found.share}, {"iterations", found.iterations}, {"s", took.count()}},
-           {span_of(found.x)});
+    answer(
+        {{"share", found.share}, {"iterations", found.iterations}, {"s", took.count()}},
+        {span_of(found.x)});
 }
 
 void Server::sensitivity(const json& request) {
@@ -247,8 +251,9 @@ void Server::serve() {
 
 int main(int argc, char** argv) {
     using namespace magfsi;
-    CLI::App app{"Equilibria of a body of a scene and their derivatives, for magfsi design",
-                 "magfsi-design"};
+    CLI::App app{
+        "Equilibria of a body of a scene and their derivatives, for magfsi design",
+        "magfsi-design"};
     std::string path, body;
     std::vector<std::string> overrides;
     app.add_option("scene", path, "Scene file")->required();
