@@ -2,10 +2,62 @@
 #include "structure/body.h"
 
 #include <algorithm>
+#include <numeric>
 
+#include "structure/mesh/mesh_check.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
+namespace {
+
+std::vector<Material> materials_of_soft_elements(const Body& body) {
+    const std::vector<Material> all = all_materials(body);
+    std::vector<bool> soft(all.size(), false);
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        const int number = body.element_material.empty() ? 0 : body.element_material[e];
+        if (is_soft(body, e)) soft[number] = true;
+    }
+    std::vector<Material> out;
+    for (std::size_t m = 0; m < all.size(); ++m)
+        if (soft[m]) out.push_back(all[m]);
+    return out;
+}
+
+std::string name_of_part(const Body& body, int part) {
+    const std::string& region = body.rigid_parts[part].name;
+    return region.empty() ? "the body" : "the region \"" + region + "\"";
+}
+
+// Refuses a rigid part whose elements no chain of common nodes joins: the pieces would
+// move as one although nothing holds them together.
+void check_in_one_piece(const Body& body, const std::vector<int>& part_of_node) {
+    std::vector<int> parent(body.mesh.nodes.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        if (is_soft(body, e)) continue;
+        const Hexahedron& element = body.mesh.elements[e];
+        for (const int node : element)
+            parent[root_of(parent, node)] = root_of(parent, element[0]);
+    }
+    std::vector<int> root(body.rigid_parts.size(), -1);
+    for (std::size_t n = 0; n < part_of_node.size(); ++n) {
+        const int part = part_of_node[n];
+        if (part < 0) continue;
+        const int its_root = root_of(parent, static_cast<int>(n));
+        if (root[part] >= 0 && root[part] != its_root)
+            refuse(
+                "a rigid part in pieces that do not touch, {}; allowed is one piece: "
+                "name each piece as a region of its own",
+                name_of_part(body, part));
+        root[part] = its_root;
+    }
+    for (std::size_t p = 0; p < root.size(); ++p)
+        if (root[p] < 0)
+            refuse("{} found as a rigid part of body {}, and it has no element",
+                   name_of_part(body, static_cast<int>(p)), body.name);
+}
+
+}  // namespace
 
 const std::vector<int>& face_nodes(const Body& body, const std::string& face,
                                    const char* how) {
@@ -36,9 +88,54 @@ std::vector<Material> used_materials(const Body& body) {
     return out;
 }
 
+std::vector<Material> pressing_materials(const Body& body, std::span<const Body> all) {
+    const auto soft = [](const Body& one) { return !is_all_rigid(one); };
+    const bool some_are_soft = std::ranges::any_of(all, soft);
+    std::vector<Material> out = used_materials(body);
+    if (body.rigid_parts.empty()) return out;
+    if (some_are_soft) out = materials_of_soft_elements(body);
+    std::erase_if(out, [](const Material& m) { return !(m.shear_modulus_pa > 0); });
+    return out;
+}
+
 bool is_viscous(const Body& body) {
     return std::ranges::any_of(all_materials(body),
                                [](const Material& m) { return m.viscosity_pa_s != 0; });
+}
+
+bool is_all_rigid(const Body& body) {
+    return !body.element_rigid.empty() &&
+           std::ranges::all_of(body.element_rigid, [](int part) { return part >= 0; });
+}
+
+// Checks the numbers of the parts, then gives each node that of its elements.
+std::vector<int> rigid_part_of_nodes(const Body& body) {
+    const std::size_t elements = body.mesh.elements.size();
+    if (body.rigid_parts.empty() && body.element_rigid.empty()) return {};
+    if (body.element_rigid.size() != elements)
+        refuse(
+            "body {} has {} numbers of rigid parts for {} elements, one an element is "
+            "needed",
+            body.name, body.element_rigid.size(), elements);
+    std::vector<int> out(body.mesh.nodes.size(), -1);
+    for (std::size_t e = 0; e < elements; ++e) {
+        const int part = body.element_rigid[e];
+        if (part < 0) continue;
+        if (part >= static_cast<int>(body.rigid_parts.size()))
+            refuse("element {} of body {} is of rigid part {}, but there are {}", e,
+                   body.name, part, body.rigid_parts.size());
+        for (const int node : body.mesh.elements[e]) {
+            if (out[node] >= 0 && out[node] != part)
+                refuse(
+                    "rigid parts that touch each other, {} and {}; allowed are parts "
+                    "with a soft element between them: make them one region, or "
+                    "leave a gap",
+                    name_of_part(body, out[node]), name_of_part(body, part));
+            out[node] = part;
+        }
+    }
+    check_in_one_piece(body, out);
+    return out;
 }
 
 void check_materials(const std::vector<int>& element_material, std::size_t elements,
@@ -55,6 +152,18 @@ void check_materials(const std::vector<int>& element_material, std::size_t eleme
         if (number >= 0 && static_cast<std::size_t>(number) <= others) continue;
         refuse("element {} is of material {}, but the materials are 0 to {}", e, number,
                others);
+    }
+}
+
+void refuse_held_rigid_parts(const Body& body, const std::vector<HeldAxes>& held) {
+    const std::vector<int> part = rigid_part_of_nodes(body);
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        if (part[n] < 0 || held[n] == HeldAxes{}) continue;
+        refuse(
+            "a rigid part with a node that a clamp, a roller or a prescribed motion "
+            "holds, {}; allowed are faces of soft elements only: leave the face out, or "
+            "hold the part by a pivot or a hinge",
+            name_of_part(body, part[n]));
     }
 }
 

@@ -3,7 +3,9 @@
 // SI.
 #pragma once
 
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,12 @@
 #include "structure/options.h"
 
 namespace magfsi::structure {
+
+// A part of a body that does not deform.
+struct RigidPart {
+    std::string name;               // of its region; empty: the whole body
+    std::optional<RigidHold> hold;  // absent: it is free
+};
 
 // A body as the solvers take it. It owns all of its data; one body is one fix magttice.
 struct Body {
@@ -31,7 +39,24 @@ struct Body {
     std::vector<std::string> clamps;
     // Faces whose nodes are held along one axis
     std::vector<Roller> rollers;
+    // Rigid parts, and the number of each element's part, -1 for soft elements; both are
+    // empty in a body without rigid parts. Their nodes may belong to soft elements, too.
+    std::vector<RigidPart> rigid_parts;
+    std::vector<int> element_rigid;
 };
+
+// True unless the element belongs to a rigid part.
+inline bool is_soft(const Body& body, std::size_t element) {
+    return body.element_rigid.empty() || body.element_rigid[element] < 0;
+}
+
+// True if no element is soft.
+bool is_all_rigid(const Body& body);
+
+// Number of each node's rigid part, -1 for the others; empty without rigid parts. Throws
+// std::invalid_argument unless element_rigid has one number of a part, or -1, for each
+// element and each part is one connected piece without a node of another part.
+std::vector<int> rigid_part_of_nodes(const Body& body);
 
 // The material of an element. The body must have passed check_materials.
 inline const Material& material_of(const Body& body, std::size_t element) {
@@ -46,6 +71,11 @@ std::vector<Material> all_materials(const Body& body);
 // The materials that at least one element is made of, in the order of their numbers. The
 // body must have passed check_materials.
 std::vector<Material> used_materials(const Body& body);
+
+// The materials whose modulus decides how hard bodies press on each other and on walls:
+// those of the body's soft elements, as a rigid part that is far stiffer would only
+// shorten the step. Where no body has a soft element they are those that have a modulus.
+std::vector<Material> pressing_materials(const Body& body, std::span<const Body> all);
 
 // True if at least one of the body's materials has a viscosity.
 bool is_viscous(const Body& body);
@@ -67,6 +97,9 @@ const std::vector<int>& face_nodes(const Body& body, const std::string& face,
 using HeldAxes = std::array<bool, 3>;
 std::vector<HeldAxes> held_axes(const Body& body,
                                 const std::set<std::string>& moved = {});
+
+// Throws std::invalid_argument if an axis of a node of a rigid part is held.
+void refuse_held_rigid_parts(const Body& body, const std::vector<HeldAxes>& held);
 
 // A face with a clamp or a roller, and the nodes that it holds along x, y and z. Each
 // axis of a node is listed at one face only, so that reaction forces summed by face count

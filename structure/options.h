@@ -16,98 +16,11 @@
 #include "base/vector/vec3.h"
 #include "base/words/name_of.h"
 #include "structure/formula.h"
+#include "structure/mesh_options.h"
 
 namespace magfsi::structure {
 
 using magfsi::Vec3;
-
-// --- meshes -------------------------------------------------------------------------
-
-// Block of hexahedra along the axes. The origin of the body's frame is its lowest corner.
-struct Box {
-    // Edge lengths along x, y, z
-    Vec3 size_m{};
-    // Numbers of elements along x, y, z
-    std::array<int, 3> elements{};
-    bool operator==(const Box&) const = default;
-};
-
-// Plate of parallelogram cells: the crease pattern of Miura-ori before folding (zigzag
-// true), or a sheared block (mesh/block_mesh.h).
-struct ObliquePlate {
-    std::array<int, 2> cells{};  // number along x (columns) and along y (rows)
-    double length_a_m = 0;       // side of a cell along x
-    double length_b_m = 0;       // the other side of a cell
-    double angle_rad = 0;        // angle between the two sides, above 0 and below pi
-    double thickness_m = 0;
-    std::array<int, 3> elements_per_cell{1, 1, 1};  // along a, along b, layers
-    bool zigzag = true;  // true: each second row is sheared the other way
-    bool operator==(const ObliquePlate&) const = default;
-};
-
-// Hexahedra of a Gmsh file; its physical groups are regions and faces.
-struct MeshFile {
-    std::string file;
-    double unit_m = 1;  // length of the file's unit
-    bool operator==(const MeshFile&) const = default;
-};
-
-// Box that defines a face: the nodes inside it.
-struct FaceBox {
-    std::string name;
-    std::array<Vec3, 2> box_m{};  // lowest and highest corner, both included
-    bool operator==(const FaceBox&) const = default;
-};
-// Mesh of cubes: those of a regular grid whose middle lies inside the closed surface of
-// an STL file (mesh/voxel_mesh.h).
-struct VoxelMesh {
-    std::string file;
-    double spacing_m = 0;        // edge of the cubes
-    double unit_m = 1;           // length of the file's unit
-    std::vector<FaceBox> faces;  // further faces, by name
-    bool operator==(const VoxelMesh&) const = default;
-};
-
-// Block that is bent or wound along a curve: its middle line, in the elements' first
-// direction, lies on the curve (mesh/swept_mesh.h).
-struct Arc {
-    double radius_m = 0;
-    double angle_rad = 0;               // 2 pi gives a closed ring
-    std::array<double, 2> section_m{};  // width and thickness
-    std::array<int, 3> elements{};      // along the curve, the width and the thickness
-    bool operator==(const Arc&) const = default;
-};
-// Block wound along a helix: section and elements as for an arc, pitch per turn.
-struct Helix {
-    double radius_m = 0, pitch_m = 0, turns = 0;
-    std::array<double, 2> section_m{};
-    std::array<int, 3> elements{};
-    bool left_handed = false;
-    bool operator==(const Helix&) const = default;
-};
-
-using MeshOptions = std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix>;
-
-// --- parts of a body, in its own frame ---
-
-struct BallShape {
-    Vec3 centre_m{};
-    double diameter_m = 0;
-    bool operator==(const BallShape&) const = default;
-};
-// The elements whose centre lies in each of the shapes that are given (mesh/region.h). An
-// absent shape or an empty polygon does not restrict.
-struct RegionShape {
-    std::optional<std::array<Vec3, 2>> box_m;
-    std::vector<std::array<double, 2>> polygon_xy_m;
-    std::optional<BallShape> ball;
-    bool operator==(const RegionShape&) const = default;
-};
-struct NamedRegion {
-    std::string name;
-    RegionShape shape;
-    bool operator==(const NamedRegion&) const = default;
-};
 
 // --- material and element -----------------------------------------------------------
 
@@ -318,7 +231,21 @@ struct Placement {
     // Static shape in this constant field, without any other load. Its angle is in the
     // plane of the magnetic field, or in xz if the scene has no field.
     std::optional<ConstantField> relaxed;
+    // Motion of a rigid body at time 0: of its centre of mass, and about it. A held body
+    // has the latter only.
+    std::optional<Vec3> velocity_m_s;
+    std::optional<Vec3> angular_velocity_rad_s;
 };
+
+// Holds of a rigid part in space: a point that stays where it is, or an axis that does.
+struct Pivot {
+    Vec3 about_m{};
+};
+struct Hinge {
+    Vec3 axis{0, 0, 1};  // direction of any length
+    Vec3 about_m{};      // a point of the axis
+};
+using RigidHold = std::variant<Hinge, Pivot>;
 
 // Faces whose nodes keep their coordinate along one axis of space (0 x, 1 y, 2 z) and are
 // free along the others. One such face is a plane of symmetry; two opposite ones give

@@ -208,6 +208,7 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
     if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
     double largest = 0;
     for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
+        if (!structure::is_soft(solid, e)) continue;
         largest =
             std::max(largest, norm(solid.magnetization_a_m[e]) /
                                   structure::material_of(solid, e).shear_modulus_pa);
@@ -244,9 +245,11 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     }
     text += explain_loads(scene, body, solid);
     text += explain_error(scene, body, solid);
-    if (box) text += explain_bricks(solid, *box);
+    const bool some_soft = !structure::is_all_rigid(solid);
+    if (box && some_soft) text += explain_bricks(solid, *box);
     if (voxels) text += explain_voxels(solid, *voxels);
-    if (!scene.time.equilibrium) text += explain_moments(scene, solid);
+    if (!scene.time.equilibrium && some_soft) text += explain_moments(scene, solid);
+    text += explain_rigid_parts(solid);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers, forcing {}\n",
@@ -264,8 +267,11 @@ std::string explain_steps(const scene::Scene& scene, const bodies::Solids& solid
     std::string text =
         fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
                     s.coupled_step_s * 1e6, s.count, s.lammps_step_s * 1e6);
-    if (std::isinf(s.elastic_limit_s))
-        return text + "    every node is clamped: one step is enough\n";
+    if (std::isinf(s.elastic_limit_s)) {
+        const bool rigid = scene::has_effect(scene, "rigid parts");
+        return text + (rigid ? "    nothing soft can move: the lattice sets no limit\n"
+                             : "    every node is clamped: one step is enough\n");
+    }
     text += fmt::format("    stable step of the lattice        {:.4g} us\n",
                         s.elastic_limit_s * 1e6);
     if (s.drag_limit_s > 0 && std::isfinite(s.drag_limit_s)) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +13,7 @@
 #include "adapters/solvers/bodies/mesh_estimate.h"
 #include "structure/lattice/element_advice.h"
 #include "structure/lattice/inertia.h"
+#include "structure/lattice/rigid_mass.h"
 #include "structure/mesh/body_points.h"
 
 namespace magfsi::launch {
@@ -81,6 +83,27 @@ std::string explain_moments(const scene::Scene& scene, const structure::Body& so
                       solid.inertia == structure::Inertia::lumped
                           ? "inertia: corrected, or "
                           : "");
+}
+
+std::string explain_rigid_parts(const structure::Body& solid) {
+    std::string text;
+    for (std::size_t p = 0; p < solid.rigid_parts.size(); ++p) {
+        const structure::RigidPart& part = solid.rigid_parts[p];
+        const auto mass =
+            structure::rigid_mass(solid, static_cast<int>(p), solid.mesh.nodes);
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(mass.inertia_kg_m2);
+        const Eigen::Vector3d moments = axes.eigenvalues();
+        const char* const held = !part.hold ? ""
+                                 : std::holds_alternative<structure::Hinge>(*part.hold)
+                                     ? ", on a hinge"
+                                     : ", on a pivot";
+        text += fmt::format(
+            "    rigid{}: mass {:.4g} mg with what its neighbours lend it, principal "
+            "moments {:.4g}, {:.4g}, {:.4g} mg mm2{}\n",
+            part.name.empty() ? "" : " " + part.name, 1e6 * mass.mass_kg,
+            1e12 * moments[0], 1e12 * moments[1], 1e12 * moments[2], held);
+    }
+    return text;
 }
 
 std::string explain_regions(const structure::Mesh& mesh) {

@@ -22,6 +22,9 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
 // masses that sit in the nodes. It matters only for bodies that can turn freely.
 std::string explain_moments(const scene::Scene& scene, const structure::Body& solid);
 
+// Mass and principal moments of inertia of each rigid part.
+std::string explain_rigid_parts(const structure::Body& solid);
+
 // Each region with its number of elements.
 std::string explain_regions(const structure::Mesh& mesh);
 

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <set>
 #include <span>
+#include <type_traits>
+#include <variant>
 
 #include "adapters/scene/field.h"
 #include "base/fitted/constants.h"
@@ -17,21 +19,40 @@ namespace magfsi::scene {
 
 namespace {
 
-// Number of elements of a mesh that is described by numbers; 1 for meshes from files,
-// which are counted when they are built.
+// Number of elements of a mesh by numbers; 1 for files, which are counted when built.
 double elements_of(const Body& body) {
-    double elements = 1;
-    if (const auto* box = std::get_if<Box>(&body.mesh)) {
-        for (const int n : box->elements) elements *= n;
-    } else if (const auto* plate = std::get_if<ObliquePlate>(&body.mesh)) {
-        for (const int n : plate->cells) elements *= n;
-        for (const int n : plate->elements_per_cell) elements *= n;
-    } else if (const auto* arc = std::get_if<Arc>(&body.mesh)) {
-        for (const int n : arc->elements) elements *= n;
-    } else if (const auto* helix = std::get_if<Helix>(&body.mesh)) {
-        for (const int n : helix->elements) elements *= n;
-    }
-    return elements;
+    const auto product = [](const auto& counts) {
+        double all = 1;
+        for (const int n : counts) all *= n;
+        return all;
+    };
+    // A section has the square of those across its core, and layers on its four sides.
+    const auto of_section = [](double across, double layers) {
+        return across * (across + 4 * layers);
+    };
+    const auto count = [&](const auto& mesh) -> double {
+        using Mesh = std::decay_t<decltype(mesh)>;
+        if constexpr (std::is_same_v<Mesh, BallMesh>) {
+            const auto [across, layers] = mesh.elements;
+            return 1.0 * across * across * (across + 6.0 * layers);
+        } else if constexpr (std::is_same_v<Mesh, CapsuleMesh>) {
+            const auto [across, layers, along] = mesh.elements;
+            return of_section(across, layers) * (along + across) +
+                   2.0 * across * across * layers;
+        } else if constexpr (std::is_same_v<Mesh, CylinderMesh> ||
+                             std::is_same_v<Mesh, ConeMesh> ||
+                             std::is_same_v<Mesh, WireMesh>) {
+            const auto [across, layers, along] = mesh.elements;
+            return of_section(across, layers) * along;
+        } else if constexpr (std::is_same_v<Mesh, ObliquePlate>) {
+            return product(mesh.cells) * product(mesh.elements_per_cell);
+        } else if constexpr (requires { mesh.elements; }) {
+            return product(mesh.elements);
+        } else {
+            return 1;
+        }
+    };
+    return std::visit(count, body.mesh);
 }
 
 // Place of the number of elements; of meshes without one, the mesh.

@@ -182,6 +182,18 @@ void check_probes(const Scene& scene, const Marks& marks) {
     require_with(
         !asks(probes.bodies, BodyQuantity::magnetic_load) || scene.magnetic_field,
         marks.value({"probes", "bodies"}), "the probe magnetic_load", "a magnetic_field");
+    require_with(!asks(probes.bodies, BodyQuantity::contact_load) || scene.platform ||
+                     scene.contact,
+                 marks.value({"probes", "bodies"}), "the probe contact_load",
+                 "contact or platform");
+    require(!asks(probes.bodies, BodyQuantity::contact_load) || !scene.time.equilibrium,
+            marks.value({"probes", "bodies"}), "contact_load of a path of equilibria",
+            "it in runs over time");
+    const bool rigid = std::ranges::any_of(
+        scene.bodies, [](const Body& body) { return !body.rigid.empty(); });
+    require_with(!asks(probes.bodies, BodyQuantity::rigid_motion) || rigid,
+                 marks.value({"probes", "bodies"}), "the probe rigid_motion",
+                 "a rigid part", "add rigid to a body");
     const bool on_part = std::ranges::any_of(probes.integrals, [](const auto& one) {
         return std::holds_alternative<BodyPart>(one.over);
     });
@@ -248,6 +260,7 @@ void check_scene(const Scene& scene, const Marks& marks) {
             "add the key \"bodies\" or \"fluid\"");
     check_files(scene, marks);
     check_bodies(scene, marks);
+    check_rigid_parts(scene, marks);
     check_loads(scene, marks);
     if (scene.fluid) check_fluid(scene, marks);
     check_step(scene, marks);
@@ -279,13 +292,14 @@ struct MaterialMarks {
 };
 
 // Requires a complete pair: shear_modulus with lame_lambda, or youngs_modulus with
-// poissons_ratio.
-void check(const MaterialMarks& at) {
+// poissons_ratio. A rigid body may have none.
+void check(const MaterialMarks& at, bool rigid) {
     const char* pairs[][2] = {{"shear_modulus", "lame_lambda"},
                               {"youngs_modulus", "poissons_ratio"}};
     const auto& [ours, theirs] = pairs;
     const bool by_ours = at.has(ours[0]) || at.has(ours[1]);
     const bool by_theirs = at.has(theirs[0]) || at.has(theirs[1]);
+    if (rigid && !by_ours && !by_theirs) return;
     const char* second = at.has(theirs[0]) ? theirs[0] : theirs[1];
     require(!by_ours || !by_theirs, at.at(second),
             fmt::format("{} beside {}", second, at.has(ours[0]) ? ours[0] : ours[1]),
@@ -301,9 +315,10 @@ void check(const MaterialMarks& at) {
 // kinematic viscosity, whichever way they were given.
 void check_materials(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
-        check({marks, body.name, ""});
+        const bool rigid = body.is_all_rigid();
+        check({marks, body.name, ""}, rigid);
         for (std::size_t i = 0; i < body.material_regions.size(); ++i)
-            check({marks, body.name, std::to_string(i)});
+            check({marks, body.name, std::to_string(i)}, rigid);
     }
     if (!scene.fluid) return;
     const bool usual = marks.has({"fluid", "viscosity"});

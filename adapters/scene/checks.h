@@ -84,6 +84,8 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene);
 void check_files(const Scene& scene, const Marks& marks);
 // Meshes, magnetisations, supports and initial placement.
 void check_bodies(const Scene& scene, const Marks& marks);
+// Rigid parts: their regions, holds and start.
+void check_rigid_parts(const Scene& scene, const Marks& marks);
 // Field, control, gravity, platform, contact, paths of equilibria, coupling.
 void check_loads(const Scene& scene, const Marks& marks);
 // Box, spacing, boundaries, refinement, solver; only for a scene with a fluid.

@@ -136,6 +136,8 @@ std::vector<Effect> effects_of(const Scene& s) {
         {structure, "contact", s.contact.has_value()},
         {structure, "clamps",
          some_body([](const Body& body) { return !body.clamps.empty(); })},
+        {structure, "rigid parts",
+         some_body([](const Body& body) { return !body.rigid.empty(); })},
         {structure, "rollers",
          some_body([](const Body& body) { return !body.rollers.empty(); })},
         {structure, "prescribed motion",

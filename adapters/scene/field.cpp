@@ -107,6 +107,7 @@ std::string expectation(const Field& field) {
                                      field.count_min, value)
                        : fmt::format("a list, each {}", value);
         case Layout::one_or_list:
+            if (field.or_true) return "true, a name, or a list of names";
             return fmt::format("{}, or a list of such", value);
         case Layout::rows:
             return fmt::format("a list of {}{} lists of {} values, each {}",

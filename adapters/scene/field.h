@@ -68,6 +68,7 @@ struct Field {
     std::size_t length = 0;
     std::size_t count_min = 1, count_max = unbounded;
 
+    bool or_true = false;  // the word true may stand in place of a name
     Range range;
     Presence presence = Presence::required;
     bool has_default = false;  // the member's initial value is the default
@@ -89,6 +90,10 @@ struct Field {
     Field one_or_list() && {
         layout = Layout::one_or_list;
         return std::move(*this);
+    }
+    Field true_or_list() && {
+        or_true = true;
+        return std::move(*this).one_or_list();
     }
     Field rows(std::size_t least, std::size_t most) && {
         count_min = least;

@@ -111,7 +111,8 @@ void keys(Io& io, Probes& probes) {
     io(key("bodies", "Columns for each body; reaction_force: for each of its faces that is held or "
            "moved, what does that, by its clamps, rollers or motion. Nodes of two faces count "
            "in the first one; magnetic_load: force of all of the field, and its torque about the "
-           "centre of mass.").optional(), probes.bodies);
+           "centre of mass; contact_load: the same of contact, platform and walls; rigid_motion: "
+           "place, orientation and velocities of each rigid part.").optional(), probes.bodies);
     io(key("points",
            "Material points by name, of which position and displacement are written.").optional(),
        probes.points);

@@ -293,6 +293,16 @@ void keys(Io& io, Arc& mesh);
 template <class Io>
 void keys(Io& io, Helix& mesh);
 template <class Io>
+void keys(Io& io, BallMesh& mesh);
+template <class Io>
+void keys(Io& io, CylinderMesh& mesh);
+template <class Io>
+void keys(Io& io, CapsuleMesh& mesh);
+template <class Io>
+void keys(Io& io, ConeMesh& mesh);
+template <class Io>
+void keys(Io& io, WireMesh& mesh);
+template <class Io>
 void keys(Io& io, MagneticField& field);  // keys_field.cpp
 template <class Io>
 void keys(Io& io, FieldTerm& term);

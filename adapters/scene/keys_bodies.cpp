@@ -157,6 +157,28 @@ void keys(Io& io, Placement& initial) {
     io(key("relaxed",
            "Constant field in whose shape at rest the body starts, without fluid and "
            "gravity, before the rotation."), initial.relaxed);
+    io(quantity("velocity", "m/s", "Velocity of a rigid body's centre of mass, without a fluid."),
+       initial.velocity_m_s);
+    io(quantity("angular_velocity", "rad/s",
+           "Angular velocity of a rigid body, along axes of space, without a fluid. One that "
+           "is held takes of it what its hold allows."), initial.angular_velocity_rad_s);
+}
+
+// Keys of `hinge`.
+template <class Io>
+void keys(Io& io, Hinge& hinge) {
+    io(key("axis", "Axis of space about which the rigid part turns. Its length does not matter."),
+       hinge.axis);
+    io(quantity("about", "m", "A point of the axis in space, where the body has been placed."),
+       hinge.about_m);
+}
+
+// Keys of `pivot`.
+template <class Io>
+void keys(Io& io, Pivot& pivot) {
+    io(quantity("about", "m",
+           "The point in space, where the body has been placed, about which the rigid part turns."),
+       pivot.about_m);
 }
 
 // Keys of `bodies.NAME` itself.
@@ -180,7 +202,15 @@ void keys(Io& io, Body& body) {
            "faces are named as a block's."),
             key("helix",
            "Mesh of a block wound about the axis x, from x = 0 and the side of y. Its "
-           "faces are named as a block's."));
+           "faces are named as a block's."),
+            key("ball", "Mesh of a ball about the origin."),
+            key("cylinder", "Mesh of a cylinder along x, its middle at the origin."),
+            key("capsule",
+           "Mesh of a cylinder along x with two half balls as ends, its middle at the origin."),
+            key("cone", "Mesh of a truncated cone along x, its middle at the origin."),
+            key("wire",
+           "Mesh of a helix of round wire about the axis x, from x = 0 and the side of y, "
+           "with or without a head."));
     });
     io(key("regions",
            "Parts of the mesh by shapes, for other materials and magnetizations. An element "
@@ -213,6 +243,13 @@ void keys(Io& io, Body& body) {
            "List of faces that something outside holds, and moves along axes of space or "
            "turns about one, from where they start.").optional(),
        body.prescribed_motion);
+    io(key("rigid",
+           "What does not deform: true for the whole body, or the names of regions, each a "
+           "rigid part that carries its soft neighbours along.").true_or_list().optional(),
+       body.rigid);
+    io.alternatives(body.hold,
+        key("hinge", "Holds the body's one rigid part on an axis."),
+        key("pivot", "Holds the body's one rigid part at a point."));
     io(key("initial",
            "State of the body at time 0: it is relaxed first, then rotated, then placed.").optional(),
        body.initial);

@@ -104,11 +104,83 @@ void keys(Io& io, Helix& helix) {
        helix.left_handed);
 }
 
+// Doc lines of the numbers of elements of round bodies.
+constexpr const char* round_elements =
+    "Numbers of elements across the core, from the core to the surface, and along the body.";
+
+// Keys of `ball`.
+template <class Io>
+void keys(Io& io, BallMesh& ball) {
+    io(quantity("diameter", "m", "Diameter of the ball.").above(0), ball.diameter_m);
+    io(key("elements", "Numbers of elements across the core, and from it to the surface.")
+           .at_least(1).at_most(1000),
+       ball.elements);
+}
+
+// Keys of `cylinder`.
+template <class Io>
+void keys(Io& io, CylinderMesh& cylinder) {
+    io(quantity("diameter", "m", "Diameter of the cylinder.").above(0), cylinder.diameter_m);
+    io(quantity("length", "m", "Length along x.").above(0), cylinder.length_m);
+    io(key("elements", round_elements).at_least(1).at_most(100000), cylinder.elements);
+}
+
+// Keys of `capsule`.
+template <class Io>
+void keys(Io& io, CapsuleMesh& capsule) {
+    io(quantity("diameter", "m", "Diameter of the capsule and of its two half balls.").above(0),
+       capsule.diameter_m);
+    io(quantity("length", "m", "Length along x, with both ends.").above(0), capsule.length_m);
+    io(key("elements",
+           "Numbers of elements across the core (even), from the core to the surface, and "
+           "along the straight part.").at_least(1).at_most(100000), capsule.elements);
+}
+
+// Keys of `cone`.
+template <class Io>
+void keys(Io& io, ConeMesh& cone) {
+    io(quantity("diameters", "m", "Diameters at the lower and the upper end of x.").above(0),
+       cone.diameters_m);
+    io(quantity("length", "m", "Length along x.").above(0), cone.length_m);
+    io(key("elements", round_elements).at_least(1).at_most(100000), cone.elements);
+}
+
+// Keys of `wire.head`.
+template <class Io>
+void keys(Io& io, WireHead& head) {
+    io(quantity("diameter", "m", "Diameter of the head.").above(0), head.diameter_m);
+    io(quantity("length", "m", "Length of its straight part along x.").above(0), head.length_m);
+}
+
+// Keys of `wire`.
+template <class Io>
+void keys(Io& io, WireMesh& wire) {
+    io(quantity("radius", "m", "Radius of the middle line.").above(0), wire.radius_m);
+    io(quantity("pitch", "m", "Length of one turn along x.").above(0), wire.pitch_m);
+    io(key("turns", "Number of turns.").above(0).at_most(1000), wire.turns);
+    io(quantity("diameter", "m", "Diameter of the wire.").above(0), wire.diameter_m);
+    io(key("elements",
+           "Numbers of elements across the core, from the core to the surface, and along "
+           "the wire with its head.").at_least(1).at_most(100000), wire.elements);
+    io(key("left_handed",
+           "If true, the helix is left-handed. A right-handed one turns from y to z as x "
+           "grows.").by_default(),
+       wire.left_handed);
+    io(key("head",
+           "Head at the upper end of x: in one turn more the wire comes to the axis, grows to "
+           "this diameter within half a turn, and then has this length."), wire.head);
+}
+
 MAGFSI_KEYS_OF(Box)
 MAGFSI_KEYS_OF(ObliquePlate)
 MAGFSI_KEYS_OF(MeshFile)
 MAGFSI_KEYS_OF(VoxelMesh)
 MAGFSI_KEYS_OF(Arc)
 MAGFSI_KEYS_OF(Helix)
+MAGFSI_KEYS_OF(BallMesh)
+MAGFSI_KEYS_OF(CylinderMesh)
+MAGFSI_KEYS_OF(CapsuleMesh)
+MAGFSI_KEYS_OF(ConeMesh)
+MAGFSI_KEYS_OF(WireMesh)
 
 }  // namespace magfsi::scene

@@ -159,8 +159,10 @@ Scene read_scene(const std::filesystem::path& path,
     read_field_files(scene, Marks(root));
     complete_inlets(scene, Marks(root));
     check_scene(scene, Marks(root));
-    for (Body& body : scene.bodies)
+    for (Body& body : scene.bodies) {
         body.mesh_place = to_string(Marks(root).value({"bodies", body.name, "mesh"}));
+        body.rigid_place = to_string(Marks(root).value({"bodies", body.name, "rigid"}));
+    }
     if (scene.control) {
         for (std::size_t i = 0; i < scene.control->probes.size(); ++i)
             scene.control->probe_places.push_back(

@@ -83,13 +83,13 @@ constexpr auto words_of(Face) {
         {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
 }
 
-// A soft body. Its mesh, regions and magnetisation refer to its own frame; `initial`
-// places it. Rollers and prescribed motion are along the axes of space.
+// A body, soft but for its rigid parts. Its mesh, regions and magnetisation refer to its
+// own frame; `initial` places it. Rollers and prescribed motion are along axes of space.
 struct Body {
     std::string name;
     MeshOptions mesh;
-    // Place of the mesh in the file, for faults that only the built mesh shows.
-    std::string mesh_place;
+    // Places of mesh and rigid in the file, for faults that only the built mesh shows.
+    std::string mesh_place, rigid_place;
     std::vector<NamedRegion> regions;  // sorted by name; the first that holds wins
     ElementVariant element = ElementVariant::assumed_strain;
     Inertia inertia = Inertia::lumped;
@@ -100,7 +100,12 @@ struct Body {
     std::vector<std::string> clamps;
     std::vector<Roller> rollers;
     std::vector<PrescribedMotion> prescribed_motion;
+    // What does not deform: names of regions, or the one word "true" for the whole body.
+    std::vector<std::string> rigid;
+    std::optional<RigidHold> hold;  // of its one rigid part
     Placement initial;
+
+    bool is_all_rigid() const { return rigid == std::vector<std::string>{"true"}; }
 };
 
 // --- loads --------------------------------------------------------------------------
@@ -210,12 +215,14 @@ enum class BodyQuantity {
     fluid_torque,
     reaction_force,
     energy,
-    magnetic_load
+    magnetic_load,
+    contact_load,
+    rigid_motion
 };
 constexpr auto words_of(BodyQuantity) {
-    return std::to_array<std::string_view>({"com", "speed", "shape", "max_displacement",
-                                            "fluid_force", "fluid_torque",
-                                            "reaction_force", "energy", "magnetic_load"});
+    return std::to_array<std::string_view>(
+        {"com", "speed", "shape", "max_displacement", "fluid_force", "fluid_torque",
+         "reaction_force", "energy", "magnetic_load", "contact_load", "rigid_motion"});
 }
 // Quantities of the whole fluid that probes.csv can have as columns.
 enum class FluidQuantity {

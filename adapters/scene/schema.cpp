@@ -111,8 +111,11 @@ Json leaf_schema(const Field& field) {
         case Layout::vector:
         case Layout::list:
             return array_of(value, least, most);
-        case Layout::one_or_list:
-            return {{"anyOf", Json::array({value, array_of(value, least, most)})}};
+        case Layout::one_or_list: {
+            Json either = Json::array({value, array_of(value, least, most)});
+            if (field.or_true) either.push_back({{"const", true}});
+            return {{"anyOf", either}};
+        }
         case Layout::rows:
             return array_of(array_of(value, field.length, field.length), least, most);
         case Layout::single:

@@ -40,6 +40,10 @@ struct ValueOf<T&> {
     using Type = T;
 };
 template <class T>
+struct ValueOf<T&&> {
+    using Type = T;
+};
+template <class T>
 struct ValueOf<const T&> {
     using Type = T;
 };

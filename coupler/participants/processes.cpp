@@ -171,18 +171,18 @@ std::string fault_of_job() {
     // number of programs.
     const int programs = number_in_environment("OMPI_NUM_APP_CTX");
     if (programs > 0 && contexts.size() != static_cast<std::size_t>(programs)) return "";
-    for (const std::string& words : contexts) {
+    for (const std::string& program : contexts) {
         const bool ours = std::ranges::any_of(
             std::to_array({"magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-",
                            "magfsi.controller"}),
-            [&](const char* name) { return words.find(name) != std::string::npos; });
+            [&](const char* name) { return program.find(name) != std::string::npos; });
         if (ours) continue;
         return fmt::format(
             "another program is in this MPI job, and none of magfsi's: {}; allowed are "
             "those of the structure and the fluid (-n N magfsi-structure SCENE : -n M "
             "magfsi-fluid-lbm SCENE); a script that starts one takes its name as an "
             "argument",
-            words.substr(0, words.find_last_not_of(' ') + 1));
+            program.substr(0, program.find_last_not_of(' ') + 1));
     }
     return "";
 }

@@ -46,6 +46,10 @@ struct OwnedElements {
     int missing_id = 0;
 };
 
+// Those of the elements that are soft, in the same order. Elastic and viscous forces are
+// theirs; forces of fields act on all elements.
+OwnedElements soft_ones(const OwnedElements& owned, const Lattice& lattice);
+
 // Data of a fix magttice's body for the forces of effects. Lattice and positions live as
 // long as the forces; the magnetisation must be copied, as it is freed after their
 // construction.
@@ -143,8 +147,8 @@ struct Effect {
     Commands commands = nullptr;  // after the bodies, before the time integration
     Commands after_integration = nullptr;
 
-    // Group that is integrated in place of all atoms.
-    const char* integrated_group = nullptr;
+    // Group that `commands` make of nodes which the time integration leaves out.
+    const char* group_left_out = nullptr;
     // Stiffness with which the effect presses on a body's surface, pressure over
     // displacement [Pa/m], for the stable step.
     double (*surface_spring_pa_m)(const LammpsInput&, const Body&) = nullptr;
@@ -159,10 +163,13 @@ struct Effect {
 std::span<const Effect* const> effects();
 // The effects that this input asks for, in the same order.
 std::vector<const Effect*> asked_effects(const LammpsInput& input);
-// Group of the time integration: "all", unless an effect names another.
+// Group of the time integration: "all", or "moving" if an effect leaves nodes out.
 std::string integrated_group(const LammpsInput& input);
 
 // --- for the LAMMPS styles of effects
+
+// Fails if another fix integrates an atom of this one's group, which would move twice.
+void refuse_integrated_twice(LAMMPS_NS::LAMMPS& lammps, const LAMMPS_NS::Fix& self);
 
 // Ends a run that cannot go on. The cause goes to the handler of set_failure_handler
 // (register_styles.h), or to LAMMPS's error->one if there is none. One rank may call it

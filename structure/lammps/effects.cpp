@@ -3,6 +3,7 @@
 #include "structure/lammps/effect.h"
 #include "structure/refuse.h"
 
+#include "atom.h"
 #include "error.h"
 #include "utils.h"
 
@@ -49,12 +50,14 @@ void refuse_absent(const LammpsInput& input) {
     need(input.drag.has_value(), "drag");
     need(input.platform.has_value(), "platform");
     need(!input.walls.empty(), "walls");
+    need(input.contact_load, "contact_load");
     need(!input.motions.empty(), "prescribed_motion");
     for (const Body& body : input.bodies) {
         need(is_viscous(body), "viscosity");
         need(std::ranges::count(held_axes(body), HeldAxes{true, true, true}) > 0,
              "clamps");
         need(!body.rollers.empty(), "rollers");
+        need(!body.rigid_parts.empty(), "rigid_parts");
     }
 }
 
@@ -93,7 +96,7 @@ void check_effects(const LammpsInput& input) {
 
 std::string integrated_group(const LammpsInput& input) {
     for (const Effect* effect : asked_effects(input)) {
-        if (effect->integrated_group) return effect->integrated_group;
+        if (effect->group_left_out) return "moving";
     }
     return "all";
 }
@@ -137,6 +140,33 @@ void fail(LAMMPS_NS::Error& error, const std::string& cause) {
 
 double number(const char* word, LAMMPS_NS::LAMMPS* lammps) {
     return LAMMPS_NS::utils::numeric(FLERR, word, false, lammps);
+}
+
+OwnedElements soft_ones(const OwnedElements& owned, const Lattice& lattice) {
+    if (lattice.element_rigid.empty()) return owned;
+    OwnedElements soft;
+    for (std::size_t i = 0; i < owned.element.size(); ++i) {
+        if (lattice.element_rigid[owned.element[i]] >= 0) continue;
+        soft.element.push_back(owned.element[i]);
+        soft.atom.push_back(owned.atom[i]);
+    }
+    return soft;
+}
+
+void refuse_integrated_twice(LAMMPS_NS::LAMMPS& lammps, const LAMMPS_NS::Fix& self) {
+    const LAMMPS_NS::Atom& atom = *lammps.atom;
+    for (int f = 0; f < lammps.modify->nfix; ++f) {
+        const LAMMPS_NS::Fix& other = *lammps.modify->fix[f];
+        if (other.time_integrate == 0 || &other == &self) continue;
+        for (int i = 0; i < atom.nlocal; ++i) {
+            if ((atom.mask[i] & self.groupbit) != 0 &&
+                (atom.mask[i] & other.groupbit) != 0)
+                fail(*lammps.error,
+                     "fix {} {} and fix {} {} both move atom {}; leave the atoms of the "
+                     "first out of the other's group",
+                     self.id, self.style, other.id, other.style, atom.tag[i]);
+        }
+    }
 }
 
 }  // namespace magfsi::structure

@@ -129,7 +129,7 @@ void FixMagttice::read_body(const std::string& file,
         read.element_material.assign(read.elements.size(), 0);
     }
     lattice_ = build_lattice(read.nodes_m, read.elements, materials_,
-                             read.element_material, variant_);
+                             read.element_material, variant_, read.element_rigid);
     nodes_m_ = read.nodes_m;
     range_.count = static_cast<int>(read.nodes_m.size());
     by_first_.resize(read.nodes_m.size());
@@ -216,7 +216,8 @@ void FixMagttice::rebuild() {
              "({:g} m at rest)",
              who_, owned.missing_id, update->ntimestep, lattice_.longest_diagonal_m);
     }
-    kernel_.assign(lattice_, owned.element, owned.atom);
+    const OwnedElements soft = soft_ones(owned, lattice_);
+    kernel_.assign(lattice_, soft.element, soft.atom);
     for (const auto& added : forces_) added->rebuild(owned);
 }
 

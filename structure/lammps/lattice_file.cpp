@@ -22,8 +22,12 @@ void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path&
                 lattice.magnetization_a_m.empty() ? Vec3{} : lattice.magnetization_a_m[e];
             out.print("{} {:.17g}", fmt::join(lattice.elements[e], " "),
                       fmt::join(m, " "));
+            const bool rigid = !lattice.element_rigid.empty();
             if (!lattice.element_material.empty())
                 out.print(" {}", lattice.element_material[e]);
+            else if (rigid)
+                out.print(" 0");
+            if (rigid) out.print(" {}", lattice.element_rigid[e]);
             out.print("\n");
         }
     });
@@ -36,10 +40,11 @@ LatticeFile read_lattice_file(const std::filesystem::path& file) {
     out.elements.resize(lines.count("elements", 1));
     out.magnetization_a_m.resize(out.elements.size());
     out.element_material.resize(out.elements.size());
+    out.element_rigid.assign(out.elements.size(), -1);
     for (std::size_t e = 0; e < out.elements.size(); ++e) {
         const char* expected =
             "eight node numbers and the magnetisation of an element, and perhaps the "
-            "number of its material";
+            "number of its material, and then of its rigid part";
         std::istringstream fields = lines.next(expected);
         for (int& node : out.elements[e]) fields >> node;
         Vec3& m = out.magnetization_a_m[e];
@@ -48,6 +53,13 @@ LatticeFile read_lattice_file(const std::filesystem::path& file) {
         if (!(fields >> std::ws).eof() && (!(fields >> material) || material < 0)) {
             lines.fail(expected);
         }
+        int& part = out.element_rigid[e];
+        if (!(fields >> std::ws).eof() && (!(fields >> part) || part < -1)) {
+            lines.fail(expected);
+        }
+    }
+    if (std::ranges::all_of(out.element_rigid, [](int part) { return part == -1; })) {
+        out.element_rigid.clear();
     }
     if (std::ranges::all_of(out.element_material, [](int m) { return m == 0; })) {
         out.element_material.clear();

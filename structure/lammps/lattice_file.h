@@ -6,8 +6,10 @@
 //   nodes N
 //   x y z                          N lines [m]
 //   elements M
-//   n0 ... n7  Mx My Mz  MATERIAL  M lines; node numbers from 0, magnetisation [A/m]; the
-//                                  number of the material is 0 if it is left out
+//   n0 ... n7  Mx My Mz  MATERIAL RIGID
+//                                  M lines; node numbers from 0, magnetisation [A/m]; the
+//                                  number of the material is 0 if it is left out, that
+//                                  of the rigid part -1, for a soft element
 //
 // and the LAMMPS data file (atom_style sphere) with the nodes of all bodies.
 #pragma once
@@ -26,12 +28,14 @@ struct LatticeFile {
     std::vector<Hexahedron> elements;
     std::vector<Vec3> magnetization_a_m;  // one vector per element
     std::vector<int> element_material;    // one number per element; empty: all 0
+    std::vector<int> element_rigid{};     // one number per element; empty: all -1
 };
 
 // Write and read a lattice file. Numbers have 17 digits and are exact when read back.
-// Empty magnetisation is written as zeros, an empty element_material not at all; when
-// read, element_material is empty if all numbers are 0. Both throw std::runtime_error
-// with the file, and with what was expected in it.
+// Empty magnetisation is written as zeros, an empty element_material not at all unless
+// element_rigid has numbers; when read, element_material is empty if all numbers are 0,
+// element_rigid if all are -1. Both throw std::runtime_error with the file, and with what
+// was expected in it.
 void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path& file);
 LatticeFile read_lattice_file(const std::filesystem::path& file);
 

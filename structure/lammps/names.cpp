@@ -16,10 +16,11 @@
 namespace magfsi::structure {
 namespace {
 
-// Groups that a script may have besides those of bodies and motions. LAMMPS has 32.
-const std::vector<std::string> own_groups{"all",    "clamped", "moving",
-                                          "held_x", "held_y",  "held_z"};
-constexpr std::size_t max_bodies_and_motions = 26;
+// Groups that a script may have besides those of bodies and motions. LAMMPS has 32. The
+// last one is there with rigid parts only.
+const std::vector<std::string> own_groups{"all",    "clamped", "moving", "held_x",
+                                          "held_y", "held_z",  "rigid"};
+constexpr std::size_t groups_without_rigid_parts = 6, max_groups = 32;
 
 std::string sanitized(const std::string& name) {
     std::string out = name.empty() ? "body" : name;
@@ -33,10 +34,13 @@ std::string sanitized(const std::string& name) {
 
 std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
                                       std::size_t motions) {
-    if (bodies.size() + motions > max_bodies_and_motions) {
+    const bool rigid = std::ranges::any_of(
+        bodies, [](const Body& body) { return !body.rigid_parts.empty(); });
+    const std::size_t most = max_groups - groups_without_rigid_parts - (rigid ? 1 : 0);
+    if (bodies.size() + motions > most) {
         refuse(
             "{} bodies and {} prescribed motions found, LAMMPS has groups for {} of both",
-            bodies.size(), motions, max_bodies_and_motions);
+            bodies.size(), motions, most);
     }
     std::vector<std::string> taken = own_groups;
     for (std::size_t m = 0; m < motions; ++m) taken.push_back(moved_group(m));

@@ -85,11 +85,15 @@ Platform with_stiffness(const Platform& platform, std::span<const Body> bodies) 
     if (out.stiffness_pa_m > 0) return out;
     for (const Body& body : bodies) {
         const double thickness_m = std::ranges::min(bounds(body.mesh.nodes).extent_m());
-        for (const Material& material : used_materials(body)) {
+        for (const Material& material : pressing_materials(body, bodies)) {
             out.stiffness_pa_m = std::max(out.stiffness_pa_m,
                                           platform_stiffness_pa_m(material, thickness_m));
         }
     }
+    if (!(out.stiffness_pa_m > 0))
+        refuse(
+            "a platform without stiffness found, and no body has a modulus from which "
+            "it would follow; give the stiffness");
     return out;
 }
 

@@ -21,6 +21,8 @@ namespace magfsi::structure {
 //   fix ID group magttice/motion COURSE ...
 //   fix ID group magttice/platform PX PY PZ NX NY NZ STIFFNESS [friction MU] [damping C]
 //   fix ID group magttice/solid SHAPE ... STIFFNESS [friction MU] [periodic LX LY LZ]
+//   fix ID group magttice/rigid [drag RATE] part MASS ... nodes RANGE ... [part ...]
+//   fix ID group magttice/contact_load begin | end GX GY GZ
 //   fix ID group magttice/quiet
 //   pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR] [friction MU]
 //              [periodic LX LY LZ]

@@ -114,7 +114,7 @@ void add_lattices(LammpsScript& script, const LammpsInput& input, const Assembly
         const Body& body = input.bodies[i];
         const std::string file = (folder / (all.name[i] + ".lattice")).string();
         write_lattice_file({body.mesh.nodes, body.mesh.elements, body.magnetization_a_m,
-                            body.element_material},
+                            body.element_material, body.element_rigid},
                            file);
         script.setup.push_back(fmt::format("group {} id {}:{}", all.name[i],
                                            all.first_node[i], all.first_node[i + 1] - 1));
@@ -144,6 +144,25 @@ void add_effects(Lines& lines, const LammpsInput& input,
     }
 }
 
+// Adds the commands between bodies and integration. The group of the integration follows
+// the last effect that makes a group of nodes which are left out of it.
+void add_commands(Lines& lines, const LammpsInput& input) {
+    std::string left_out;
+    const auto asked = asked_effects(input);
+    const auto leaves_out = [](const Effect* effect) {
+        return effect->group_left_out != nullptr;
+    };
+    std::size_t to_come = std::ranges::count_if(asked, leaves_out);
+    for (const Effect* effect : asked) {
+        if (effect->commands) effect->commands(lines, input);
+        if (!leaves_out(effect)) continue;
+        left_out += std::string(" ") + effect->group_left_out;
+        if (--to_come == 0)
+            lines.push_back(fmt::format("group {} subtract all{}",
+                                        integrated_group(input), left_out));
+    }
+}
+
 }  // namespace
 
 LammpsScript write_lammps_input(const LammpsInput& input,
@@ -159,7 +178,7 @@ LammpsScript write_lammps_input(const LammpsInput& input,
     add_system(lines, all, data_file);
     add_effects(lines, input, &Effect::before_bodies);
     add_lattices(script, input, all, folder);
-    add_effects(lines, input, &Effect::commands);
+    add_commands(lines, input);
     lines.push_back(fmt::format("fix integrate {} nve", integrated_group(input)));
     add_effects(lines, input, &Effect::after_integration);
     lines.insert(lines.end(), {fmt::format("timestep {:.17g}", input.time_step_s),

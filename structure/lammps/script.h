@@ -50,6 +50,8 @@ struct LammpsInput {
     // Adds fix before_rollers if there are rollers: it stores the forces on nodes, for
     // reactions
     bool reactions = false;
+    // Adds the fix contact_load, which tells the contact's share of these forces
+    bool contact_load = false;
     double time_step_s = 0;
 };
 

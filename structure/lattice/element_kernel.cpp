@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "structure/refuse.h"
@@ -21,10 +20,19 @@ KernelKind kind_of(const Lattice& lattice) {
                           : KernelKind::general_assumed_strain;
 }
 
-std::vector<int> all_elements(const Lattice& lattice) {
-    std::vector<int> all(lattice.elements.size());
-    std::iota(all.begin(), all.end(), 0);
-    return all;
+// The soft elements, all in a body without rigid parts, and their nodes.
+struct SoftElements {
+    std::vector<int> number;
+    std::vector<std::array<int, 8>> nodes;
+};
+SoftElements soft_elements(const Lattice& lattice) {
+    SoftElements soft;
+    for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
+        if (!lattice.element_rigid.empty() && lattice.element_rigid[e] >= 0) continue;
+        soft.number.push_back(static_cast<int>(e));
+        soft.nodes.push_back(lattice.elements[e]);
+    }
+    return soft;
 }
 
 std::size_t batch_count(std::size_t elements) {
@@ -98,7 +106,8 @@ ElementKernel::ElementKernel(InstructionSet set)
     : function_(element_functions[static_cast<int>(set)]) {}
 
 void ElementKernel::assign(const Lattice& lattice) {
-    assign(lattice, all_elements(lattice), lattice.elements);
+    const SoftElements soft = soft_elements(lattice);
+    assign(lattice, soft.number, soft.nodes);
 }
 
 void ElementKernel::assign(const Lattice& lattice, std::span<const int> elements,
@@ -181,7 +190,8 @@ ViscousKernel::ViscousKernel(InstructionSet set)
     : function_(viscous_functions[static_cast<int>(set)]) {}
 
 void ViscousKernel::assign(const Lattice& lattice) {
-    assign(lattice, all_elements(lattice), lattice.elements);
+    const SoftElements soft = soft_elements(lattice);
+    assign(lattice, soft.number, soft.nodes);
 }
 
 void ViscousKernel::assign(const Lattice& lattice, std::span<const int> elements,

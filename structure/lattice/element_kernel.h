@@ -32,7 +32,7 @@ class ElementKernel {
     // of them the eight indices of its nodes in x and f.
     void assign(const Lattice& lattice, std::span<const int> elements,
                 std::span<const std::array<int, 8>> nodes);
-    // Packs all elements, with nodes numbered as in the mesh.
+    // Packs all elements that are not rigid, with nodes numbered as in the mesh.
     void assign(const Lattice& lattice);
 
     // Adds the elastic forces [N] at the positions x [m], three values per node. In the

@@ -29,17 +29,23 @@ std::array<int, 4> side(const Hexahedron& element, int d, int upper) {
     return out;
 }
 
-// A face that only one element has is on the surface.
-Inwards inwards(const Mesh& mesh) {
+// A face that only one soft element has is on the surface: at a rigid part, too, whose
+// solid is integrated by itself (rigid_mass.h), the sum over the nodes of the soft body
+// ends and has the error of an end. Nothing moves in rigid elements.
+Inwards inwards(const Body& body) {
+    const Mesh& mesh = body.mesh;
     std::map<std::array<int, 4>, int> elements_at;
-    for (const Hexahedron& element : mesh.elements) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        if (!is_soft(body, e)) continue;
         for (int d = 0; d < 3; ++d) {
-            for (int upper : {0, 1}) ++elements_at[side(element, d, upper)];
+            for (int upper : {0, 1}) ++elements_at[side(mesh.elements[e], d, upper)];
         }
     }
     Inwards out;
-    for (const Hexahedron& element : mesh.elements) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const Hexahedron& element = mesh.elements[e];
         auto& signs = out.emplace_back();
+        if (!is_soft(body, e)) continue;
         for (int d = 0; d < 3; ++d) {
             signs[d] = static_cast<int>(elements_at[side(element, d, 0)] == 1) -
                        static_cast<int>(elements_at[side(element, d, 1)] == 1);
@@ -94,9 +100,12 @@ struct Moments {
     double central(int d) const { return second[d] - first[d] * first[d] / mass; }
 };
 
-Moments of_nodes(const Mesh& mesh, const Masses& masses) {
+// The moments are those of the soft elements.
+Moments of_nodes(const Body& body, const Masses& masses) {
+    const Mesh& mesh = body.mesh;
     Moments out;
     for (std::size_t e = 0; e < masses.size(); ++e) {
+        if (!is_soft(body, e)) continue;
         for (std::size_t a = 0; a < 8; ++a)
             out.add(masses[e][a], mesh.nodes[mesh.elements[e][a]]);
     }
@@ -107,6 +116,7 @@ Moments of_continuum(const Body& body) {
     Moments out;
     const double q = 1 / std::sqrt(3.0);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        if (!is_soft(body, e)) continue;
         const Positions8 nodes = gather(body.mesh.nodes, body.mesh.elements[e]);
         for (int g = 0; g < 8; ++g) {
             const Vec3 xi{q * node_sign(g, 0), q * node_sign(g, 1), q * node_sign(g, 2)};
@@ -126,13 +136,13 @@ Moments of_continuum(const Body& body) {
 // iteration.
 Masses corrected_kg(const Body& body) {
     const Masses spread = spread_kg(body);
-    const Inwards signs = inwards(body.mesh);
+    const Inwards signs = inwards(body);
     const Moments wanted = of_continuum(body);
     Vec3 share{1.0 / 12, 1.0 / 12, 1.0 / 12};
     // Each share acts almost in proportion, and almost only on its own axis.
-    const Moments none = of_nodes(body.mesh, spread);
+    const Moments none = of_nodes(body, spread);
     for (int iteration = 0; iteration < 10; ++iteration) {
-        const Moments now = of_nodes(body.mesh, moved(spread, signs, share));
+        const Moments now = of_nodes(body, moved(spread, signs, share));
         for (int d = 0; d < 3; ++d) {
             const double gained = none.central(d) - now.central(d);
             if (!(gained > 1e-9 * wanted.central(d))) continue;
@@ -146,11 +156,12 @@ Masses corrected_kg(const Body& body) {
 }  // namespace
 
 std::vector<std::array<double, 8>> element_masses_kg(const Body& body) {
-    return body.inertia == Inertia::corrected ? corrected_kg(body) : spread_kg(body);
+    const bool correct = body.inertia == Inertia::corrected && !is_all_rigid(body);
+    return correct ? corrected_kg(body) : spread_kg(body);
 }
 
 Vec3 inertia_error(const Body& body) {
-    const Moments nodes = of_nodes(body.mesh, element_masses_kg(body));
+    const Moments nodes = of_nodes(body, element_masses_kg(body));
     const Moments exact = of_continuum(body);
     Vec3 out{};
     for (int d = 0; d < 3; ++d) {

@@ -16,7 +16,8 @@ namespace magfsi::structure {
 std::vector<std::array<double, 8>> element_masses_kg(const Body& body);
 
 // Relative errors of the moments of inertia about the axes x, y, z through the centre of
-// mass: those of the nodes over those of the continuum, less 1.
+// mass of the soft elements: those of the nodes over those of the continuum, less 1. The
+// body must have a soft element.
 Vec3 inertia_error(const Body& body);
 
 }  // namespace magfsi::structure

@@ -92,11 +92,24 @@ void check_material(const Material& material) {
     }
 }
 
+// Checks the materials of soft elements; rigid ones need no modulus.
+void check_moduli(const std::vector<Material>& materials,
+                  const std::vector<int>& element_material,
+                  const std::vector<int>& element_rigid) {
+    std::vector<bool> soft(materials.size(), element_rigid.empty());
+    for (std::size_t e = 0; e < element_rigid.size(); ++e) {
+        if (element_rigid[e] < 0)
+            soft[element_material.empty() ? 0 : element_material[e]] = true;
+    }
+    for (std::size_t m = 0; m < materials.size(); ++m)
+        if (soft[m]) check_material(materials[m]);
+}
+
 }  // namespace
 
 Lattice build_lattice(const Body& body) {
     Lattice out = build_lattice(body.mesh.nodes, body.mesh.elements, all_materials(body),
-                                body.element_material, body.element);
+                                body.element_material, body.element, body.element_rigid);
     if (body.inertia == Inertia::lumped) return out;
     std::ranges::fill(out.node_mass_kg, 0.0);
     const auto masses = element_masses_kg(body);
@@ -110,12 +123,14 @@ Lattice build_lattice(const Body& body) {
 Lattice build_lattice(const std::vector<Vec3>& nodes_m,
                       const std::vector<Hexahedron>& elements,
                       const std::vector<Material>& materials,
-                      const std::vector<int>& element_material, ElementVariant variant) {
+                      const std::vector<int>& element_material, ElementVariant variant,
+                      const std::vector<int>& element_rigid) {
     check_materials(element_material, elements.size(), materials.size() - 1);
-    for (const Material& material : materials) check_material(material);
+    check_moduli(materials, element_material, element_rigid);
     Lattice out;
     out.materials = materials;
     out.element_material = element_material;
+    out.element_rigid = element_rigid;
     out.variant = variant;
     out.elements = elements;
     out.modes.reserve(elements.size());

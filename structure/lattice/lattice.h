@@ -36,6 +36,8 @@ inline constexpr std::array<int, 3> brick_metric_entries{3, 0, 1};
 struct Lattice {
     std::vector<Material> materials;    // at least one
     std::vector<int> element_material;  // index into materials; empty: all 0
+    // Number of each element's rigid part, -1 if it is soft; empty: all are soft
+    std::vector<int> element_rigid;
     ElementVariant variant = ElementVariant::full;
     std::vector<Hexahedron> elements;
     std::vector<ElementModes> modes;  // one per element
@@ -50,12 +52,13 @@ struct Lattice {
 
 // Lattice of a body. Throws std::invalid_argument, with the element's number, on an
 // inverted element, a node number out of range or an unknown material, and on moduli that
-// are not allowed. The second form has lumped masses.
+// are not allowed (a rigid element needs none). The second form has lumped masses.
 Lattice build_lattice(const Body& body);
 Lattice build_lattice(const std::vector<Vec3>& nodes_m,
                       const std::vector<Hexahedron>& elements,
                       const std::vector<Material>& materials,
-                      const std::vector<int>& element_material, ElementVariant variant);
+                      const std::vector<int>& element_material, ElementVariant variant,
+                      const std::vector<int>& element_rigid = {});
 
 // Elements of one material, as a kernel takes the constants of one material at a time.
 struct MaterialPart {

@@ -8,6 +8,7 @@
 #include "structure/lattice/element.h"
 #include "structure/lattice/inertia.h"
 #include "structure/lattice/lattice.h"
+#include "structure/lattice/rigid_mass.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 
@@ -110,12 +111,43 @@ Positions8 local_positions(std::span<const Vec3> nodes_m, const Hexahedron& elem
     return x;
 }
 
-// True if all nodes are held along all axes: such an element adds no stiffness to nodes
-// that can move.
-bool is_held(const Hexahedron& element, const std::vector<HeldAxes>& held) {
-    return std::ranges::all_of(element, [&](int node) {
-        return held[node] == HeldAxes{true, true, true};
-    });
+// Elements that add no stiffness to nodes that can move: those whose nodes are all held
+// along all axes, or all belong to one rigid part.
+class Idle {
+  public:
+    explicit Idle(const Body& body)
+        : held_(held_axes(body)), part_(rigid_part_of_nodes(body)) {}
+    bool operator()(const Hexahedron& element) const {
+        const auto fixed = [&](int node) {
+            return held_[node] == HeldAxes{true, true, true};
+        };
+        const auto same = [&](int node) {
+            return part_[node] >= 0 && part_[node] == part_[element[0]];
+        };
+        return std::ranges::all_of(element, fixed) ||
+               (!part_.empty() && std::ranges::all_of(element, same));
+    }
+
+  private:
+    std::vector<HeldAxes> held_;
+    std::vector<int> part_;
+};
+
+// Largest stiffness over mass of springs on the surface [1/s2]: of a node, or of a rigid
+// part as a whole.
+double largest_spring_1_s2(const Body& body, double stiffness_pa_m) {
+    auto spring_n_m = surface_areas(body.mesh.nodes, body.mesh.elements);
+    for (double& k : spring_n_m) k *= stiffness_pa_m;
+    const auto mass = build_lattice(body).node_mass_kg;
+    const auto part = rigid_part_of_nodes(body);
+    double largest = 0;
+    for (std::size_t a = 0; a < mass.size(); ++a) {
+        if (part.empty() || part[a] < 0)
+            largest = std::max(largest, spring_n_m[a] / mass[a]);
+    }
+    for (std::size_t p = 0; p < body.rigid_parts.size(); ++p)
+        largest = std::max(largest, rate_on_part(body, p, spring_n_m));
+    return largest;
 }
 
 }  // namespace
@@ -129,9 +161,9 @@ double stable_step_s(const Body& body) {
     const Material* of = nullptr;            // material of that element
     const auto masses_kg = element_masses_kg(body);
     std::size_t last = 0;
-    const std::vector<HeldAxes> held = held_axes(body);
+    const Idle is_idle(body);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
-        if (is_held(body.mesh.elements[e], held)) continue;
+        if (is_idle(body.mesh.elements[e])) continue;
         const Positions8 x = local_positions(body.mesh.nodes, body.mesh.elements[e]);
         const Material& material = material_of(body, e);
         // Elements of the same shape, as in a block of bricks, need only one solution.
@@ -155,16 +187,14 @@ double stable_elastic_step_s(Body body) {
 
 double step_limit_s(const Body& body, double stiffness_pa_m) {
     const double own = stable_step_s(body);
-    if (std::isinf(own)) return own;  // no node can move
+    const double largest = largest_spring_1_s2(body, stiffness_pa_m);
+    if (std::isinf(own)) {  // no node can move, or none against another
+        const bool moves = !body.rigid_parts.empty() && largest > 0;
+        return moves ? 2 / std::sqrt(largest) : own;
+    }
     const double frequency = 2 / stable_elastic_step_s(body);
     // The inverse of the relation that defines the body's own step.
     const double damping = 2 / own - 0.5 * own * frequency * frequency;
-    const auto area = surface_areas(body.mesh.nodes, body.mesh.elements);
-    const auto mass = build_lattice(body).node_mass_kg;
-    double largest = 0;
-    for (std::size_t a = 0; a < area.size(); ++a) {
-        largest = std::max(largest, stiffness_pa_m * area[a] / mass[a]);
-    }
     const double squared = frequency * frequency + largest;
     return 4 / (std::sqrt(damping * damping + 4 * squared) + damping);
 }
@@ -172,9 +202,9 @@ double step_limit_s(const Body& body, double stiffness_pa_m) {
 CurrentStep::CurrentStep(const Body& body) {
     elements_.reserve(body.mesh.elements.size());
     const auto masses_kg = element_masses_kg(body);
-    const std::vector<HeldAxes> held = held_axes(body);
+    const Idle is_idle(body);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
-        if (is_held(body.mesh.elements[e], held)) continue;
+        if (is_idle(body.mesh.elements[e])) continue;
         const Material& material = material_of(body, e);
         Element& element = elements_.emplace_back();
         element.nodes = body.mesh.elements[e];

@@ -16,7 +16,9 @@ namespace magfsi::structure {
 // its own lumped mass, K_e p = omega^2 M_e p (K_e the stiffness at rest). Where materials
 // meet, each element has the mass of its own. A body under large compression is stiffer
 // than at rest: run at 0.9 of this step. An element whose nodes are all held along every
-// axis does not count; the step of a body of such elements alone is infinite. Throws
+// axis or all belong to one rigid part does not count; the step of a body of such
+// elements alone is infinite. Soft elements at a rigid part keep the bound: their nodes
+// there only carry more mass and move in fewer ways. Throws
 // std::invalid_argument on a density that is not positive or a negative viscosity.
 //
 // A viscous material (Kelvin-Voigt) needs a shorter step, since velocity Verlet takes the
@@ -31,9 +33,9 @@ double stable_elastic_step_s(Body body);
 // Stable step [s] of a body with springs on its surface, of a stiffness in pressure over
 // displacement: the largest step with step^2 (omega^2 + w) + 2 step c <= 4, where omega
 // and c are the body's own largest frequency and damping (stable_step_s) and w is the
-// largest stiffness * area / mass of a surface node. It is a bound, since the largest
-// eigenvalue of a sum is at most the sum of the largest. Run at 0.9 of it. Throws as
-// stable_step_s does.
+// largest stiffness * area / mass of a surface node, or of all springs on a rigid part
+// over its mass and inertia. It is a bound, since the largest eigenvalue of a sum is at
+// most the sum of the largest. Run at 0.9 of it. Throws as stable_step_s does.
 double step_limit_s(const Body& body, double stiffness_pa_m);
 
 // Stable step of a body while it deforms. The springs of an element are linear, so their

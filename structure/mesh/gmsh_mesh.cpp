@@ -8,10 +8,17 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <numeric>
+#include <set>
+#include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "structure/mesh/mesh_check.h"
 #include "structure/mesh/mesh_file.h"
@@ -97,6 +104,96 @@ void check_tags(const std::filesystem::path& file) {
                     "allowed; renumber them in Gmsh (Mesh.Renumber)",
                     number, most));
         }
+    }
+}
+
+[[noreturn]] void refuse_damaged(int line, const std::string& why) {
+    throw std::runtime_error(
+        fmt::format("line {}: {}; the file is damaged, save it again", line, why));
+}
+
+// Throws on a line of an element in a text file of version 2.2 that does not have the
+// numbers of its kind: the library would take what is missing from the next line, read
+// kinds and lengths from wrong places, and can crash. A session must be open.
+void check_element(std::span<const long long> numbers, std::map<long long, int>& nodes_of,
+                   int line) {
+    if (numbers.size() < 3)
+        refuse_damaged(
+            line, fmt::format("{} numbers found, an element has its number, its kind, "
+                              "the number of its tags, tags and nodes",
+                              numbers.size()));
+    const long long kind = numbers[1], tags = numbers[2];
+    if (!nodes_of.contains(kind)) {
+        std::string name;
+        int dimension = 0, order = 0, corners = 0;
+        std::vector<double> local;
+        if (kind < 1 || kind > 140)
+            refuse_damaged(
+                line,
+                fmt::format("an element of kind {} found, 1 to 140 are known", kind));
+        gmsh::model::mesh::getElementProperties(static_cast<int>(kind), name, dimension,
+                                                order, nodes_of[kind], local, corners);
+    }
+    const long long found = static_cast<long long>(numbers.size()) - 3;
+    if (tags < 0 || found != tags + nodes_of[kind])
+        refuse_damaged(
+            line, fmt::format("{} tags and nodes found, {} tags and {} nodes belong to "
+                              "this element of kind {}",
+                              found, tags, nodes_of[kind], kind));
+    // The third tag is a number of partitions, which are the tags after it.
+    if (tags > 2 && numbers[5] != tags - 3)
+        refuse_damaged(
+            line, fmt::format("{} partitions announced in {} tags", numbers[5], tags));
+}
+
+// Throws where a text file of version 2.2 has nodes or elements twice, in another number
+// than it announces, or elements of nodes that it does not have: the library reads on,
+// and can crash.
+void check_sections(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string section, version, kind, line;
+    stream >> section >> version >> kind;
+    if (version != "2.2" || kind != "0") return;
+    stream.seekg(0);
+    std::map<long long, int> nodes_of;
+    std::set<std::string> seen;
+    std::unordered_set<long long> nodes;
+    bool announced = false;  // true once the section has said how many rows it has
+    long long rest = 0;      // rows to come
+    section.clear();
+    for (int number = 1; std::getline(stream, line); ++number) {
+        const auto refuse_line = [&](const std::string& what) {
+            refuse_damaged(number, what + " in " + section);
+        };
+        if (line.starts_with('$')) {
+            if (rest > 0) refuse_line("too few rows");
+            // The library, too, looks at the beginning of the line alone.
+            section = line.starts_with("$Nodes")      ? "$Nodes"
+                      : line.starts_with("$Elements") ? "$Elements"
+                                                      : "";
+            if (!section.empty() && !seen.insert(section).second)
+                refuse_line("a second section");
+            announced = false;
+            rest = 0;
+            continue;
+        }
+        if (section.empty()) continue;
+        std::istringstream words(line);
+        const std::vector<long long> numbers{std::istream_iterator<long long>(words), {}};
+        if (numbers.empty()) continue;
+        if (!std::exchange(announced, true)) {
+            rest = numbers.front();
+            continue;
+        }
+        if (rest-- <= 0) refuse_line("too many rows");
+        if (section == "$Nodes") {
+            nodes.insert(numbers.front());
+            continue;
+        }
+        check_element(numbers, nodes_of, number);
+        for (const long long node : std::span(numbers).subspan(3 + numbers[2]))
+            if (!nodes.contains(node))
+                refuse_line(fmt::format("node {}, which is not in $Nodes,", node));
     }
 }
 
@@ -225,6 +322,7 @@ GmshMesh read(const std::filesystem::path& file, double metres_per_unit) {
     check_header(file);
     check_tags(file);
     const GmshSession session;
+    check_sections(file);
     gmsh::open(file.string());
     refuse_other_elements();
     GmshMesh out;

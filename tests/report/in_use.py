@@ -214,6 +214,23 @@ class InUse(unittest.TestCase):
         self.button("arrows")
         self.assertGreater((np.abs(pixels(self.browser.picture()) - without).max(axis=2) > 60).sum(), 200)
 
+    def test_vortices_as_surfaces(self):
+        flows = "[...document.getElementById('flow').options].map(o => o.text)"
+        for dark in (False, True):
+            self.open(self.swimmer.folder, fragment="#t=0.002&flow=none", dark=dark)
+            self.assertEqual(self.browser.run(flows), ["speed", "vorticity", "pressure", "vortices", "none"])
+            without = pixels(self.browser.picture())
+            self.browser.run("element('flow').value = 'vortices'; element('flow').dispatchEvent(new Event('change'))")
+            changed = np.abs(pixels(self.browser.picture()) - without).max(axis=2) > 12
+            self.assertGreater(changed.sum(), 2000)
+            self.assertIn("|curl u| at 2 ms", self.browser.run("document.getElementById('legend').textContent"))
+            self.browser.run("magfsi.go(0.0009)")  # stored are 0, 1 and 2 ms
+            self.assertIn("|curl u| at 1 ms", self.browser.run("document.getElementById('legend').textContent"))
+            # What is chosen for a slice has nothing to choose here.
+            self.assertTrue(self.browser.run("['plane-label', 'range-label', 'arrows-label'].every(n => element(n).hidden)"))
+        self.open(self.beam.folder)
+        self.assertNotIn("vortices", self.browser.run(flows))
+
     def test_a_phone(self):
         self.open(self.swimmer.folder, width=420, height=900)
         self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), 420)

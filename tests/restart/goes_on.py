@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 import scenes
-from scenes import COUPLED, EVERY, FLUID, REFINED, STRUCTURE, testing
+from scenes import COUPLED, EVERY, FLUID, REFINED, RIGID, RIGID_PARTS, STRUCTURE, testing
 
 
 class SameBytes(unittest.TestCase):
@@ -54,6 +54,11 @@ class SameBytes(unittest.TestCase):
     # Contact adds forces in the order of the nodes' numbers.
     def test_solid_on_several_ranks(self):
         self.same(EVERY, STRUCTURE, "7.2 ms", "structure=3")
+
+    # Orientation and angular momentum, to the last bit; the bodies' own and a region's.
+    def test_rigid_parts(self):
+        self.same(RIGID, RIGID_PARTS, "7.2 ms", "structure=1")
+        self.same(RIGID, RIGID_PARTS, "7.2 ms", "structure=3")
 
     # Its place is that of the step's number.
     def test_a_moved_face(self):

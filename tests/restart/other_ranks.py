@@ -5,7 +5,7 @@ ends where it would have, within rounding."""
 import unittest
 
 import scenes
-from scenes import COUPLED, EVERY, FLUID, REFINED, STRUCTURE, testing
+from scenes import COUPLED, EVERY, FLUID, REFINED, RIGID, RIGID_PARTS, STRUCTURE, testing
 
 # Sums over ranks differ by some 1e-16, and 40 steps of the swimmer, or 1000 of the strip on its
 # platform, where nodes touch and slide, magnify that: 1e-12 was seen.
@@ -46,6 +46,9 @@ class OtherRanks(unittest.TestCase):
 
     def test_solid(self):
         self.close(EVERY, STRUCTURE, "7.2 ms", "structure=1", "structure=3", BOUND)
+
+    def test_rigid_parts(self):
+        self.close(RIGID, RIGID_PARTS, "7.2 ms", "structure=1", "structure=3", BOUND)
 
     def test_solid_with_contact_on_as_many(self):
         self.close(EVERY, STRUCTURE, "7.2 ms", "structure=3", "structure=3", BOUND)

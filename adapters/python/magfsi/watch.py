@@ -115,7 +115,7 @@ class Source:
                 if start != self.start:
                     self.begin_anew(start)
                 columns = self.table.read()
-                run = data.read_run(self.folder, ROOM, columns)
+                run = data.read_run(self.folder, ROOM, columns, surfaces=False)
                 run["progress"] = self.progress(run, columns)
                 run["ended"] = run["outcome"] != "not ended"
                 self.text = gzip.compress(page.as_json([run]).encode(), 1)

@@ -35,7 +35,7 @@ double kinetic_energy_j(const BodySample& body) {
         const Vec3& v = body.nodes.velocity_m_s[i];
         energy += 0.5 * body.nodes.mass_kg[i] * dot(v, v);
     }
-    return energy;
+    return energy + body.loads.kinetic_beyond_nodes_j;
 }
 
 // Torque of the fluid about the centre of mass, from the one about the origin of space.
@@ -94,6 +94,20 @@ Row row_of(const Vec3& v) {
     return {v.begin(), v.end()};
 }
 
+// Force of all contact on a body, and its torque about the centre of mass.
+Row contact_load(const BodySample& body) {
+    const Vec3 centre = mass_weighted_mean(body, body.nodes.position_m);
+    Vec3 force{}, torque{};
+    for (std::size_t i = 0; i < body.loads.contact_n.size(); ++i) {
+        force += body.loads.contact_n[i];
+        torque += cross(body.nodes.position_m[body.first + i] - centre,
+                        body.loads.contact_n[i]);
+    }
+    Row row = row_of(force);
+    row.insert(row.end(), torque.begin(), torque.end());
+    return row;
+}
+
 }  // namespace
 
 const BodyProbe& body_probe(scene::BodyQuantity quantity) {
@@ -126,6 +140,12 @@ const BodyProbe& body_probe(scene::BodyQuantity quantity) {
          [](Body b) { return row_of(fluid_torque_n_m(b)); }},
         {Q::reaction_force, {}, Load::support, nullptr},  // add_reactions
         {Q::magnetic_load, {}, Load::none, nullptr},      // add_magnetic_load
+        {Q::contact_load,
+         {"contact_force_x[N]", "contact_force_y[N]", "contact_force_z[N]",
+          "contact_torque_x[N m]", "contact_torque_y[N m]", "contact_torque_z[N m]"},
+         Load::contact,
+         contact_load},
+        {Q::rigid_motion, {}, Load::none, nullptr},  // add_rigid_motion
         {Q::energy,
          {"energy_elastic[J]", "energy_kinetic[J]", "work_magnetic[J]"},
          Load::energies,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "structure/body.h"
 #include "structure/lattice/lattice.h"
@@ -60,10 +61,14 @@ std::vector<double> whole_masses_kg(const Solids& solids) {
     return all;
 }
 
-std::vector<double> inside_masses_kg(const scene::Scene& scene, Solids solids) {
+Solids bodies_of_fluid(const scene::Scene& scene, Solids solids) {
     for (std::size_t b = 0; b < solids.size(); ++b)
         fill_with(solids[b], scene.bodies[b], scene.fluid->density_kg_m3);
-    return whole_masses_kg(solids);
+    return solids;
+}
+
+std::vector<double> inside_masses_kg(const scene::Scene& scene, Solids solids) {
+    return whole_masses_kg(bodies_of_fluid(scene, std::move(solids)));
 }
 
 }  // namespace magfsi::bodies

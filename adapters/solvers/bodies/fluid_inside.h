@@ -38,6 +38,9 @@ Solids bodies_in_fluid(const scene::Scene& scene, Solids solids);
 // Mass of each node of the bodies themselves [kg], nothing subtracted, body after body.
 std::vector<double> whole_masses_kg(const Solids& solids);
 
+// The bodies with the densities of the fluid in their place. The scene must have a fluid.
+Solids bodies_of_fluid(const scene::Scene& scene, Solids solids);
+
 // Mass of the fluid that fills the place of the bodies, shared among their nodes [kg],
 // body after body. The scene must have a fluid.
 std::vector<double> inside_masses_kg(const scene::Scene& scene, Solids solids);

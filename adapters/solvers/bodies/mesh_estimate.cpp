@@ -188,6 +188,7 @@ MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& b
                                  const structure::Body& solid) {
     const Loads loads = loads_of(scene, solid);
     if (loads.words.empty()) return {"nothing bends the body", "", "", 0, {}};
+    if (!solid.rigid_parts.empty()) return {"the body has rigid parts", "", "", 0, {}};
     if (const std::string why = why_not(body, solid.mesh.elements.size()); !why.empty())
         return {why, "", "", 0, {}};
     std::optional<Right> right;

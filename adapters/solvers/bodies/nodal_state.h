@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vector/vec3.h"
+#include "structure/lammps/rigid_states.h"
 
 namespace magfsi::bodies {
 
@@ -18,6 +19,9 @@ struct NodalState {
     // In a fluid either the nodes' own masses, less the enclosed fluid, or the whole ones
     // (fluid_inside.h): the function that returns the state says which.
     std::vector<double> mass_kg;
+    // Motion of the rigid parts of all bodies, in the order of the bodies and of their
+    // parts.
+    std::vector<structure::RigidPartMotion> rigid;
 };
 
 }  // namespace magfsi::bodies

@@ -10,6 +10,7 @@
 
 #include "adapters/scene/scene.h"
 #include "adapters/solvers/bodies/nodal_state.h"
+#include "adapters/solvers/bodies/rigid_parts.h"
 #include "structure/body.h"
 
 namespace magfsi::bodies {
@@ -20,14 +21,18 @@ struct BodyLoads {
     Vec3 fluid_force_n{};
     double energy_elastic_j = 0;
     double work_magnetic_j = 0;  // work of the applied field since the start
+    // Kinetic energy of its rigid parts beyond that of their nodes' masses.
+    double kinetic_beyond_nodes_j = 0;
     // Force of clamps, rollers and prescribed motions on each node of the body [N].
     std::vector<Vec3> support_n{};
+    // Force of contact, platform and walls on each node of the body [N].
+    std::vector<Vec3> contact_n{};
     // Torque of the fluid about the origin of space; comes with fluid_force_n.
     Vec3 fluid_torque_n_m{};
     // Mean of fluid_force_n since the last row; for probes.mean_forces.
     Vec3 mean_fluid_force_n{};
 };
-enum class Load { none, fluid_force, fluid_torque, energies, support };
+enum class Load { none, fluid_force, fluid_torque, energies, support, contact };
 // True if a probe of the scene needs the load. The torque needs the force as well, for it
 // is written about the centre of mass.
 bool needs(const scene::Scene& scene, Load load);
@@ -83,6 +88,8 @@ class ProbeRow {
                   const structure::Body& solid, std::size_t first_node);
     void add_magnetic_load(const scene::MagneticField& field, std::size_t body,
                            const structure::Body& solid, std::size_t first_node);
+    void add_rigid_motion(std::size_t part, const std::string& column,
+                          const scene::Placement& initial);
     void add_reactions(std::size_t body, const structure::Body& solid);
     void add_point(const scene::PointProbe& probe, const scene::Body& body,
                    const structure::Mesh& mesh, std::size_t first_node);
@@ -92,6 +99,7 @@ class ProbeRow {
 
     std::vector<Group> groups_;
     structure::FieldProgram field_{};
+    std::vector<RigidPartOfScene> rigid_parts_;
     std::vector<Vec3> start_m_;  // nodes of all bodies at step 0
     std::size_t parts_ = 0;      // number of body parts added so far
 };

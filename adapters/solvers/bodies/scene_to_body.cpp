@@ -29,6 +29,7 @@
 #include "structure/mesh/locate.h"
 #include "structure/mesh/mesh_file.h"
 #include "structure/mesh/region.h"
+#include "structure/mesh/round_mesh.h"
 #include "structure/mesh/swept_mesh.h"
 
 namespace magfsi::bodies {
@@ -138,6 +139,16 @@ structure::Mesh plain_mesh(const scene::Body& body) {
         return structure::arc_mesh(*arc);
     if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
         return structure::helix_mesh(*helix);
+    if (const auto* ball = std::get_if<structure::BallMesh>(&body.mesh))
+        return structure::ball_mesh(*ball);
+    if (const auto* cylinder = std::get_if<structure::CylinderMesh>(&body.mesh))
+        return structure::cylinder_mesh(*cylinder);
+    if (const auto* capsule = std::get_if<structure::CapsuleMesh>(&body.mesh))
+        return structure::capsule_mesh(*capsule);
+    if (const auto* cone = std::get_if<structure::ConeMesh>(&body.mesh))
+        return structure::cone_mesh(*cone);
+    if (const auto* wire = std::get_if<structure::WireMesh>(&body.mesh))
+        return structure::wire_mesh(*wire);
     const auto& gmsh = std::get<structure::MeshFile>(body.mesh);
     return convert(gmsh.file, gmsh.unit_m);
 }
@@ -236,6 +247,38 @@ void add_materials(structure::Body& out, const scene::Body& body) {
         out.element_material.push_back(of_region[region]);
 }
 
+// Makes the elements of the whole body, or of the named regions, rigid parts.
+void add_rigid_parts(structure::Body& out, const scene::Body& body) {
+    if (body.rigid.empty()) return;
+    const std::size_t elements = out.mesh.elements.size();
+    if (body.is_all_rigid()) {
+        out.rigid_parts = {{"", body.hold}};
+        out.element_rigid.assign(elements, 0);
+    } else {
+        std::vector<int> of_region(out.mesh.region_names.size(), -1);
+        for (const std::string& name : body.rigid) {
+            of_region[region_number(out.mesh, name)] =
+                static_cast<int>(out.rigid_parts.size());
+            out.rigid_parts.push_back({name, body.hold});
+        }
+        for (const int region : out.mesh.region)
+            out.element_rigid.push_back(of_region[region]);
+    }
+    (void)structure::rigid_part_of_nodes(out);  // refuses parts that touch
+}
+
+// Runs what may refuse the rigid parts, and says where the scene names them.
+template <class Check>
+void at_rigid_key(const scene::Body& body, const Check& check) {
+    try {
+        check();
+    } catch (const std::invalid_argument& fault) {
+        throw scene::SceneError(fmt::format("{}{}body '{}': {}", body.rigid_place,
+                                            body.rigid_place.empty() ? "" : ": ",
+                                            body.name, fault.what()));
+    }
+}
+
 }  // namespace
 
 structure::Body to_body(const scene::Body& body) {
@@ -253,12 +296,17 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
         throw scene::SceneError(
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
     }
+    at_rigid_key(body, [&] { add_rigid_parts(out, body); });
     out.element = body.element;
     out.inertia = body.inertia;
     out.clamps = body.clamps;
     out.rollers = body.rollers;
     for (const structure::PrescribedMotion& motion : body.prescribed_motion)
         out.clamps.insert(out.clamps.end(), motion.faces.begin(), motion.faces.end());
+    if (!out.rigid_parts.empty()) {
+        const auto held = structure::held_axes(out);
+        at_rigid_key(body, [&] { structure::refuse_held_rigid_parts(out, held); });
+    }
     try {
         if (body.magnetization)
             out.magnetization_a_m = magnetize(*body.magnetization, out.mesh);

@@ -83,6 +83,13 @@ void append(std::vector<double>& out, const Values& values) {
     out.insert(out.end(), std::begin(values), std::end(values));
 }
 
+// The material of an element; of a rigid one, which has neither stress nor energy, one
+// without moduli.
+structure::Material material_in_files(const structure::Body& body, std::size_t element) {
+    return structure::is_soft(body, element) ? structure::material_of(body, element)
+                                             : structure::Material{};
+}
+
 // Elastic energy of each element over its volume at rest [J/m3]: springs, change of
 // volume, and the hourglass modes of elements assumed_strain.
 auto energy_densities(const std::vector<structure::Body>& bodies) {
@@ -102,7 +109,7 @@ auto energy_densities(const std::vector<structure::Body>& bodies) {
                                              body.element, static_cast<int>(e)));
             for (int& node : nodes) node += first_node;
             part.nodes.push_back(nodes);
-            part.materials.push_back(structure::material_of(body, e));
+            part.materials.push_back(material_in_files(body, e));
         }
         first_node += nodes_of(body);
         parts.push_back(std::move(part));
@@ -111,6 +118,10 @@ auto energy_densities(const std::vector<structure::Body>& bodies) {
         for (const Part& part : parts) {
             for (std::size_t e = 0; e < part.nodes.size(); ++e) {
                 const auto& reference = part.references[e];
+                if (part.materials[e].shear_modulus_pa == 0) {
+                    out.push_back(0);
+                    continue;
+                }
                 const auto element = structure::element_energy(
                     reference, part.materials[e],
                     structure::gather(now.state.position_m, part.nodes[e]));
@@ -264,7 +275,7 @@ void StructureFiles::add_of_elements(BodyField field, const Bodies& bodies) {
         for (const structure::Body& body : bodies) {
             auto& own = of_body.emplace_back();
             for (std::size_t e = 0; e < body.mesh.elements.size(); ++e)
-                own.push_back(structure::material_of(body, e));
+                own.push_back(material_in_files(body, e));
         }
         add = each_element(
             bodies, [of_body](std::size_t b, std::size_t e, const Matrix& f, Out& out) {

@@ -42,8 +42,10 @@ double min_energy(const scene::Scene& scene, const std::vector<double>& masses_k
     double softest = std::numeric_limits<double>::infinity();  // G / density [m2/s2]
     for (const scene::Body& body : scene.bodies) {
         const structure::Material& m = body.material;
-        softest = std::min(softest, m.shear_modulus_pa / m.density_kg_m3);
+        if (m.shear_modulus_pa > 0)
+            softest = std::min(softest, m.shear_modulus_pa / m.density_kg_m3);
     }
+    if (std::isinf(softest)) return 0;  // all bodies are rigid
     return min_strain * min_strain * softest *
            std::accumulate(masses_kg.begin(), masses_kg.end(), 0.0);
 }
@@ -105,11 +107,19 @@ EnergyAudit::EnergyAudit(const scene::Scene& scene, const bodies::Solids& solids
       start_(std::move(start)),
       whole_kg_(start_.mass_kg),
       inside_kg_(start_.mass_kg.size()),
+      whole_(start_.position_m.empty()
+                 ? bodies::RigidKinetics{}
+                 : bodies::RigidKinetics{solids, start_.position_m}),
+      nodes_(whole_),
       gravity_m_s2_(bodies::to_gravity(scene).value_or(bodies::Vec3{})) {
     if (scene.fluid) {
         driven_ = is_driven(*scene.fluid);
         whole_kg_ = bodies::whole_masses_kg(solids);
         inside_kg_ = bodies::inside_masses_kg(scene, solids);
+        if (!start_.position_m.empty()) {
+            inside_ = {bodies::bodies_of_fluid(scene, solids), start_.position_m};
+            nodes_ = {bodies::bodies_in_fluid(scene, solids), start_.position_m};
+        }
     }
     min_j_ = min_energy(scene, whole_kg_);
 }
@@ -130,6 +140,10 @@ EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
         m.work_weight += once * fallen;
         m.work_weight_nodes += state.mass_kg[i] * fallen;
     }
+    const double whole = whole_.beyond_nodes_j(state.rigid);
+    m.kinetic_whole += whole;
+    m.kinetic += whole - inside_.beyond_nodes_j(state.rigid);
+    m.kinetic_nodes += nodes_.beyond_nodes_j(state.rigid);
     return m;
 }
 

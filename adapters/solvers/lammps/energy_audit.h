@@ -10,6 +10,7 @@
 
 #include "adapters/scene/scene.h"
 #include "adapters/solvers/bodies/nodal_state.h"
+#include "adapters/solvers/bodies/rigid_parts.h"
 #include "adapters/solvers/bodies/scene_to_body.h"
 #include "coupler/output/summary.h"
 
@@ -97,6 +98,8 @@ class EnergyAudit {
     NodalState start_;
     // Mass of each node of the bodies themselves, and of the fluid in its place.
     std::vector<double> whole_kg_, inside_kg_;
+    // Of rigid parts, with the same masses, and those that LAMMPS integrates.
+    bodies::RigidKinetics whole_, inside_, nodes_;
     Vec3 gravity_m_s2_{};
     bool driven_ = false;  // true if sides of the box or a body force drive the fluid
     bool lags_ = false;    // true if the enclosed fluid is a force (light bodies)

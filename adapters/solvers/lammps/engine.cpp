@@ -121,6 +121,7 @@ NodalState Engine::gather(int atoms) const {
         state.velocity_m_s.push_back({all[i + 3], all[i + 4], all[i + 5]});
         state.mass_kg.push_back(all[i + 6]);
     }
+    if (!all.empty()) state.rigid = rigid_motions();
     return state;
 }
 
@@ -131,12 +132,26 @@ std::vector<Vec3> Engine::gather_forces(int atoms) const {
     const int kept = lammps_->modify->find_fix("before_rollers");
     const double* const* const force =
         kept < 0 ? atom.f : lammps_->modify->fix[kept]->array_atom;
-    std::vector<int> index;
     std::vector<double> mine;
-    for (int i = 0; i < atom.nlocal; ++i) {
+    for (int i = 0; i < atom.nlocal; ++i) mine.insert(mine.end(), force[i], force[i] + 3);
+    return gather_vectors(atoms, mine);
+}
+
+std::vector<Vec3> Engine::gather_contact_forces(int atoms) const {
+    int dimension = 0;
+    const auto* const force = static_cast<const double*>(
+        lammps_->modify->fix[fix_number("contact_load")]->extract("contact_force",
+                                                                  dimension));
+    return gather_vectors(atoms, {force, force + 3 * lammps_->atom->nlocal});
+}
+
+// mine: three values for each of this rank's atoms.
+std::vector<Vec3> Engine::gather_vectors(int atoms,
+                                         const std::vector<double>& mine) const {
+    const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    std::vector<int> index;
+    for (int i = 0; i < atom.nlocal; ++i)
         index.push_back(static_cast<int>(atom.tag[i]) - 1);
-        mine.insert(mine.end(), force[i], force[i] + 3);
-    }
     const auto all = coupler::gather_rows(comm_, index, mine, 3, atoms);
     std::vector<Vec3> out(all.size() / 3);
     std::copy(all.begin(), all.end(), out.empty() ? nullptr : out.front().data());

@@ -19,6 +19,7 @@
 
 #include "adapters/solvers/bodies/nodal_state.h"
 #include "coupler/scheme/structure_solver.h"
+#include "structure/lammps/rigid_states.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -92,6 +93,10 @@ class Engine final : public coupler::StructureSolver {
     // includes forces that rollers take up. Collective.
     std::vector<Vec3> gather_forces(int atoms) const;
 
+    // The share of contact, platform and walls in these forces, likewise; for
+    // LammpsInput::contact_load.
+    std::vector<Vec3> gather_contact_forces(int atoms) const;
+
     // Entry n (from 1) of a fix's global vector. Collective. Throws std::logic_error if
     // there is no such fix.
     double fix_vector(const std::string& fix_id, int n) const;
@@ -120,6 +125,11 @@ class Engine final : public coupler::StructureSolver {
     // back (structure/lammps/kept_pairs.h).
     std::vector<double> pairs() const;
     void put_pairs(std::span<const double> rows);
+    // Motion of the rigid parts, and the numbers that continue it; the same on all ranks,
+    // empty without rigid parts.
+    std::vector<structure::RigidPartMotion> rigid_motions() const;
+    std::vector<double> rigid_states() const;
+    void put_rigid_states(std::span<const double> states);
     // The same state in memory, by local index, for a coupled step that is repeated.
     // Between the two calls atoms keep their ranks and indices. go_back is collective.
     void keep() override;
@@ -132,7 +142,9 @@ class Engine final : public coupler::StructureSolver {
     void evaluate_again();
     std::vector<double*> sums_in_fixes() const;
     structure::KeepsPairs* keeper() const;
+    structure::MovesRigidParts* rigid_parts() const;
     int fix_number(const std::string& fix_id) const;
+    std::vector<Vec3> gather_vectors(int atoms, const std::vector<double>& mine) const;
 
     MPI_Comm comm_;
     std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
@@ -141,7 +153,7 @@ class Engine final : public coupler::StructureSolver {
         std::int64_t step = 0;
         std::vector<double> position, velocity;  // local and ghost atoms
         std::vector<double> force, of_fixes;     // local atoms
-        std::vector<double> sums, pairs;
+        std::vector<double> sums, pairs, rigid;
     } kept_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "adapters/solvers/lammps/engine.h"
 #include "atom.h"
+#include "comm.h"
 #include "compute.h"
 #include "fix.h"
 #include "group.h"
@@ -117,9 +118,15 @@ double FixAudit::power_on_moved_w() const {
     return sum;
 }
 
-// Kinetic energy of this rank's moved nodes, or of all its others.
+// Kinetic energy of this rank's moved nodes, or of all its others. What rigid parts have
+// beyond their nodes is the first rank's.
 double FixAudit::kinetic_energy_j(bool of_moved) const {
     double sum = 0;
+    for (int i = 0; !of_moved && comm->me == 0 && i < modify->nfix; ++i) {
+        if (const auto* rigid =
+                dynamic_cast<const structure::MovesRigidParts*>(modify->fix[i]))
+            sum += rigid->kinetic_beyond_nodes_j();
+    }
     for (int i = 0; i < atom->nlocal; ++i) {
         if (moved(i) != of_moved) continue;
         const double* v = atom->v[i];

@@ -59,6 +59,30 @@ void Engine::put_pairs(std::span<const double> rows) {
     if (structure::KeepsPairs* keeps = keeper()) keeps->put_pairs(rows);
 }
 
+// The fix that moves rigid parts, else null.
+structure::MovesRigidParts* Engine::rigid_parts() const {
+    const LAMMPS_NS::Modify& modify = *lammps_->modify;
+    for (int i = 0; i < modify.nfix; ++i) {
+        if (auto* moves = dynamic_cast<structure::MovesRigidParts*>(modify.fix[i]))
+            return moves;
+    }
+    return nullptr;
+}
+
+std::vector<structure::RigidPartMotion> Engine::rigid_motions() const {
+    const structure::MovesRigidParts* parts = rigid_parts();
+    return parts ? parts->motions() : std::vector<structure::RigidPartMotion>{};
+}
+
+std::vector<double> Engine::rigid_states() const {
+    const structure::MovesRigidParts* parts = rigid_parts();
+    return parts ? parts->states() : std::vector<double>{};
+}
+
+void Engine::put_rigid_states(std::span<const double> states) {
+    if (structure::MovesRigidParts* parts = rigid_parts()) parts->put_states(states);
+}
+
 std::size_t Engine::node_values() const {
     std::size_t values = motion_values;
     for (LAMMPS_NS::Fix* fix : keeping_fixes(*lammps_->modify))
@@ -164,6 +188,7 @@ void Engine::keep() {
     }
     kept_.sums = fix_sums();
     kept_.pairs = pairs();
+    kept_.rigid = rigid_states();
 }
 
 void Engine::go_back() {
@@ -185,6 +210,7 @@ void Engine::go_back() {
     std::ranges::copy(kept_.force, atom.f[0]);
     put_fix_sums(kept_.sums);
     put_pairs(kept_.pairs);
+    put_rigid_states(kept_.rigid);
 }
 
 }  // namespace magfsi::lammps

@@ -182,6 +182,7 @@ void Participant::start_lammps(const bodies::Solids& solids) {
     if (scene_.fluid && session_.world().root())
         run_.whole_mass_kg = bodies::whole_masses_kg(solids);
     run_.start = run_.gather();
+    if (!run_.start.rigid.empty()) run_.rigid = {solids, run_.start.position_m};
     if (!scene_.time.equilibrium)
         guard_ = std::make_unique<StepGuard>(run_.input.bodies, at_start_, comm);
     else

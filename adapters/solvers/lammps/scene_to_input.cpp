@@ -130,6 +130,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene,
     if (scene.fluid) input.period_m = scene.fluid->period_m();
     input.walls = walls_of(scene, input.bodies);
     input.reactions = bodies::needs(scene, bodies::Load::support);
+    input.contact_load = bodies::needs(scene, bodies::Load::contact);
     structure::check_effects(input);
     return input;
 }

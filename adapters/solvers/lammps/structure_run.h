@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/solvers/bodies/field_work.h"
+#include "adapters/solvers/bodies/rigid_parts.h"
 #include "adapters/solvers/lammps/energy_audit.h"
 #include "adapters/solvers/lammps/engine.h"
 #include "adapters/solvers/lammps/substeps.h"
@@ -47,6 +48,8 @@ struct StructureRun {
     // Mass of each node of the bodies themselves, the enclosed fluid not subtracted; on
     // the root, with a fluid.
     std::vector<double> whole_mass_kg{};
+    // What the rigid parts have beyond their nodes, with whole masses; on the root.
+    bodies::RigidKinetics rigid{};
     // The field's work on each body; on the root, on a path of equilibria in a field.
     std::vector<bodies::FieldWork> field_work{};
     // The file probes.csv with its columns and its last row; on the leading rank, null

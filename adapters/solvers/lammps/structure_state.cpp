@@ -11,6 +11,7 @@
 #include "coupler/checkpoint/state_file.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/kept_pairs.h"
+#include "structure/rigid_motion.h"
 
 namespace magfsi::lammps {
 
@@ -18,6 +19,9 @@ namespace {
 
 using coupler::StateReader;
 using coupler::StateWriter;
+
+// Numbers of a rigid part.
+constexpr std::size_t rigid_width = structure::RigidMotion::state_values;
 
 // Name of the table of an array of the markers.
 std::string table_of(const coupler::MarkerArray& array) {
@@ -93,9 +97,9 @@ std::optional<structure::FieldProgram> steered(const StructureRun& run,
 
 }  // namespace
 
-// Tables: nodes, sums (of the fixes), pairs, marker_NAME, numbers, balance, force_sums,
-// substeps, energy_audit, and those of the controller. Those that the run does not need
-// are absent.
+// Tables: nodes, sums (of the fixes), pairs, rigid, marker_NAME, numbers, balance,
+// force_sums, substeps, energy_audit, and those of the controller. Those that the run
+// does not need are absent.
 void save_structure(const StructureRun& run, StateWriter* file) {
     const MPI_Comm comm = run.session.world().local();
     Engine& engine = *run.engine;
@@ -109,6 +113,9 @@ void save_structure(const StructureRun& run, StateWriter* file) {
         constexpr std::size_t row = structure::KeepsPairs::row_values;
         file->table("pairs", pairs, {pairs.size() / row, row});
     }
+    const std::vector<double> rigid = engine.rigid_states();
+    if (file && !rigid.empty())
+        file->table("rigid", rigid, {rigid.size() / rigid_width, rigid_width});
     if (run.coupling) save_markers(run, file);
     if (run.balance()) save_shares(comm, "balance", run.balance()->values(), file);
     if (file && run.force_sums.time_s > 0) {
@@ -140,6 +147,9 @@ void restore_bodies(StructureRun& run, const StateReader& file) {
     if (file.has("sums"))
         engine.put_fix_sums(share(file, "sums", run.session.world().local()));
     engine.put_pairs(file.has("pairs") ? file.table("pairs") : std::vector<double>{});
+    if (const std::size_t values = engine.rigid_states().size(); values > 0)
+        engine.put_rigid_states(
+            rows_of(file, "rigid", values / rigid_width, rigid_width));
     if (run.audit) run.audit->set(file.table("energy_audit"));
     if (file.has("force_sums")) {
         const auto sums = file.table("force_sums");

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -13,12 +15,14 @@
 #include "adapters/scene/effective.h"
 #include "adapters/solvers/bodies/fluid_inside.h"
 #include "adapters/solvers/bodies/marker_placement.h"
+#include "adapters/solvers/bodies/mesh_estimate.h"
 #include "adapters/solvers/lammps/scene_to_input.h"
 #include "base/fitted/constants.h"
 #include "coupler/immersed_boundary/direct_forcing.h"
 #include "coupler/participants/errors.h"
 #include "structure/body.h"
 #include "structure/lattice/lattice.h"
+#include "structure/lattice/rigid_mass.h"
 
 namespace magfsi::lammps {
 
@@ -53,12 +57,54 @@ double largest_drag_rate(const scene::Scene& scene, const bodies::Solids& solids
             }
         }
         const auto held = structure::held_axes(solids[b]);
+        const auto part = structure::rigid_part_of_nodes(solids[b]);
         for (std::size_t n = 0; n < mass.size(); ++n) {
             if (held[n] == structure::HeldAxes{true, true, true}) continue;
+            if (!part.empty() && part[n] >= 0) continue;
             largest = std::max(largest, drag[n] / mass[n]);
         }
+        for (std::size_t p = 0; p < solids[b].rigid_parts.size(); ++p)
+            largest = std::max(
+                largest, structure::rate_on_part(solids[b], static_cast<int>(p), drag));
     }
     return largest;
+}
+
+// Step [s] that resolves the swings of rigid parts in the uniform field and under gravity
+// and their turns at the start; infinite where nothing makes them turn. The forces of
+// soft elements on them are the lattice's matter.
+double rigid_step_s(const scene::Scene& scene, const structure::LammpsInput& input) {
+    // The free rotation is integrated to fourth order and takes larger angles.
+    constexpr double of_free_turns = 0.2;
+    if (!scene::has_effect(scene, "rigid parts"))
+        return std::numeric_limits<double>::infinity();
+    const double field_t =
+        scene.magnetic_field ? norm(bodies::strongest_field_t(scene)) : 0;
+    const double gravity_m_s2 = input.gravity_m_s2 ? norm(*input.gravity_m_s2) : 0;
+    double fastest = 0;  // square of a rate [1/s2]
+    for (std::size_t b = 0; b < input.bodies.size(); ++b) {
+        const structure::Body& body = input.bodies[b];
+        for (std::size_t p = 0; p < body.rigid_parts.size(); ++p) {
+            const int part = static_cast<int>(p);
+            const auto mass = structure::rigid_mass(body, part, body.mesh.nodes);
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
+                mass.inertia_kg_m2, Eigen::EigenvaluesOnly);
+            const double least = axes.eigenvalues()[0];
+            double squared =
+                norm(structure::moment_of_part_a_m2(body, part)) * field_t / least;
+            // A pendulum of the length d has M g d / (I + M d^2), at most that of the
+            // length sqrt(I / M).
+            if (body.rigid_parts[p].hold)
+                squared += 0.5 * gravity_m_s2 * std::sqrt(mass.mass_kg / least);
+            if (!input.placements.empty() && input.placements[b].angular_velocity_rad_s) {
+                const double rate =
+                    of_free_turns * norm(*input.placements[b].angular_velocity_rad_s);
+                squared += rate * rate;
+            }
+            fastest = std::max(fastest, squared);
+        }
+    }
+    return fitted::rigid_turn_of_a_step / std::sqrt(fastest);
 }
 
 // The largest step up to the limit that divides the time between probe rows, or the run.
@@ -81,12 +127,9 @@ Substeps choose_substeps(const scene::Scene& scene, const structure::LammpsInput
         return s;
     }
     const auto wanted = scene::coupled_step_s(scene);
-    s.coupled_step_s =
-        wanted
-            ? *wanted
-            : scene::halved(
-                  scene, even_step_s(scene, fitted::elastic_margin * s.elastic_limit_s));
-    double limit = fitted::elastic_margin * s.elastic_limit_s;
+    double limit =
+        std::min(fitted::elastic_margin * s.elastic_limit_s, rigid_step_s(scene, input));
+    s.coupled_step_s = wanted ? *wanted : scene::halved(scene, even_step_s(scene, limit));
     if (scene.fluid && scene.coupling) {
         s.drag_limit_s = 2 / largest_drag_rate(scene, input.bodies, s.coupled_step_s);
         limit = std::min(limit, fitted::drag_margin * s.drag_limit_s);

@@ -19,7 +19,6 @@ std::vector<int> clamped_ids(const LammpsInput& input) {
 
 void add_clamps(Lines& lines, const LammpsInput& input) {
     lines.push_back(fmt::format("group clamped id {}", id_ranges(clamped_ids(input))));
-    lines.push_back("group moving subtract all clamped");
 }
 
 }  // namespace
@@ -28,6 +27,6 @@ extern const Effect clamps_effect{
     .name = "clamps",
     .asked = [](const LammpsInput& input) { return !clamped_ids(input).empty(); },
     .commands = add_clamps,
-    .integrated_group = "moving"};
+    .group_left_out = "clamped"};
 
 }  // namespace magfsi::structure

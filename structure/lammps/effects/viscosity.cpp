@@ -31,7 +31,8 @@ class ViscousForce : public BodyForce {
             fail(*error, who_ + " viscosity needs the command: comm_modify vel yes");
     }
     void rebuild(const OwnedElements& owned) override {
-        kernel_.assign(lattice_, owned.element, owned.atom);
+        const OwnedElements soft = soft_ones(owned, lattice_);
+        kernel_.assign(lattice_, soft.element, soft.atom);
     }
     void add() override { add_forces(); }
     // The velocities are those of the half step, as explicit damping requires.

@@ -233,7 +233,7 @@ double stiffness_pa_m(const LammpsInput& input) {
     for (const Body& body : input.bodies) {
         const double size_m = std::cbrt(volume_m3(body.mesh) /
                                         static_cast<double>(body.mesh.elements.size()));
-        for (const Material& material : used_materials(body))
+        for (const Material& material : pressing_materials(body, input.bodies))
             largest = std::max(largest, platform_stiffness_pa_m(material, size_m));
     }
     return largest;

@@ -282,6 +282,46 @@ TEST(GmshRefusals, NumbersAbove31Bits) {
     }
 }
 
+// The fuzzer's, too.
+TEST(GmshRefusals, SectionsThatDoNotHoldWhatTheyAnnounce) {
+    const auto with = [](const std::string& what, const std::string& instead) {
+        std::string text = one_cube("1 2 3 4 5 6 7 8");
+        text.replace(text.find(what), what.size(), instead);
+        return refusal(text_file("sections.msh", text));
+    };
+    test::expect_says(with("$Nodes\n8", "$Nodes\n9"),
+                      {"line 14: too few rows in $Nodes"});
+    test::expect_says(with("$Nodes\n8", "$Nodes\n7"),
+                      {"line 13: too many rows in $Nodes"});
+    test::expect_says(with("$Elements\n1", "$Elements\n2"),
+                      {"too few rows in $Elements"});
+    test::expect_says(with("$Elements\n1", "$Elements~\n2"),
+                      {"too few rows in $Elements"});
+    test::expect_says(with("7 8\n$EndE", "7 9\n$EndE"),
+                      {"line 17: node 9, which is not"});
+    test::expect_says(with("$EndNodes", "$Nodes"),
+                      {"line 14: a second section in $Nodes"});
+}
+
+// The fuzzer's: an element with a node too few took it from the next line, and the
+// library crashed a line later.
+TEST(GmshRefusals, LinesWithOtherNumbersThanTheirElementHas) {
+    const auto with = [](const std::string& line) {
+        std::string text = one_cube("1 2 3 4 5 6 7 8");
+        text.replace(text.find("$Elements\n1"), 11, "$Elements\n2");
+        text.insert(text.find("$EndElements"), line + "\n");
+        return text_file("line.msh", text);
+    };
+    test::expect_says(refusal(with("7 3 3 2 1 1 4 8 5")),
+                      {"line 18: 6 tags and nodes found", "3 tags and 4 nodes belong"});
+    test::expect_says(refusal(with("7 3 3 2 1 1 4 8 5 1")),
+                      {"1 partitions announced in 3 tags"});
+    test::expect_says(refusal(with("7 3")), {"2 numbers found"});
+    test::expect_says(refusal(with("7 999 0 1")), {"kind 999 found"});
+    test::expect_says(refusal(with("7 3 -1 4 8 5")), {"-1 tags"});
+    EXPECT_NO_THROW((void)read_gmsh_mesh(with("7 3 2 0 1 1 2 3 4"), 1));
+}
+
 TEST(GmshRefusals, AMirroredElementIsTurnedInstead) {
     const auto file = text_file("mirrored.msh", one_cube("5 6 7 8 1 2 3 4"));
     const Mesh mesh = read_gmsh_mesh(file, 1).mesh;

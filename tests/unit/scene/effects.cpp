@@ -23,9 +23,10 @@ TEST(Effects, of_a_swimmer) {
                      "energy audit", "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "field sources", "dipoles", "control",
-                     "platform", "friction", "contact", "rollers", "prescribed motion",
-                     "implicit scheme", "bulk viscosity", "eddy viscosity", "rheology",
-                     "free slip", "inlets and outlets", "refinement", "obstacles"}));
+                     "platform", "friction", "contact", "rigid parts", "rollers",
+                     "prescribed motion", "implicit scheme", "bulk viscosity",
+                     "eddy viscosity", "rheology", "free slip", "inlets and outlets",
+                     "refinement", "obstacles"}));
 }
 
 TEST(Effects, AnUnknownNameIsAnError) {
@@ -51,7 +52,7 @@ TEST(Effects, of_a_solid) {
             "structure step: elasticity, magnetic field; absent: viscosity, "
             "field gradient, field sources, dipoles, control, gravity, damping, "
             "platform, friction, contact, "
-            "clamps, rollers, prescribed motion",
+            "clamps, rigid parts, rollers, prescribed motion",
             "coupled step: none; absent: immersed boundary, buoyancy, "
             "overlap check, implicit scheme",
             "fluid step: none; absent: fluid, body force, bulk viscosity, "

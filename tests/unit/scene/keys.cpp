@@ -327,6 +327,32 @@ TEST(Keys, of_obstacles) {
     EXPECT_EQ(surface.shift_m, (Vec3{1e-3, 2e-3, 3e-3}));
 }
 
+TEST(Keys, of_rigid_parts_and_round_bodies) {
+    const auto bodies = complete("rigid.yaml").bodies;
+    ASSERT_EQ(bodies.size(), 6u);  // by the alphabet
+    EXPECT_EQ(bodies[0].rigid, std::vector<std::string>{"tip"});
+    EXPECT_FALSE(bodies[0].is_all_rigid());
+    EXPECT_TRUE(bodies[1].is_all_rigid());
+    EXPECT_EQ(bodies[1].material.shear_modulus_pa, 0);
+    EXPECT_EQ(std::get<BallMesh>(bodies[1].mesh), (BallMesh{2e-3, {4, 2}}));
+    EXPECT_EQ(std::get<Pivot>(*bodies[1].hold).about_m, (Vec3{1e-3, 2e-3, 3e-3}));
+    EXPECT_NEAR((*bodies[1].initial.angular_velocity_rad_s)[0], std::numbers::pi / 2,
+                1e-15);
+    EXPECT_EQ(std::get<CapsuleMesh>(bodies[2].mesh),
+              (CapsuleMesh{1e-3, 3e-3, {2, 1, 4}}));
+    EXPECT_EQ(bodies[2].initial.velocity_m_s, (Vec3{1e-3, 2e-3, 3e-3}));
+    EXPECT_EQ(std::get<CylinderMesh>(bodies[3].mesh),
+              (CylinderMesh{0.5e-3, 3e-3, {1, 1, 6}}));
+    EXPECT_EQ(std::get<Hinge>(*bodies[3].hold).axis, (Vec3{0, 0, 2}));
+    EXPECT_EQ(std::get<Hinge>(*bodies[3].hold).about_m, (Vec3{4e-3, 5e-3, 6e-3}));
+    EXPECT_TRUE(bodies[4].rigid.empty());
+    EXPECT_EQ(std::get<ConeMesh>(bodies[4].mesh),
+              (ConeMesh{{1e-3, 0.2e-3}, 2e-3, {2, 1, 5}}));
+    EXPECT_EQ(
+        std::get<WireMesh>(bodies[5].mesh),
+        (WireMesh{0.5e-3, 1e-3, 3, 0.2e-3, {1, 1, 60}, true, WireHead{0.8e-3, 1e-3}}));
+}
+
 TEST(Keys, of_shapes) {
     const auto bodies = complete("shapes.yaml").bodies;
     ASSERT_EQ(bodies.size(), 3u);  // by the alphabet

@@ -42,7 +42,7 @@ TEST(Keys, of_the_table_are_all_stored) {
     for (const char* name :
          {"swimmer.yaml", "implicit.yaml", "elastic.yaml", "turning.yaml",
           "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml", "paste.yaml",
-          "blood.yaml", "formula.yaml", "shapes.yaml", "spatial.yaml"})
+          "blood.yaml", "formula.yaml", "rigid.yaml", "shapes.yaml", "spatial.yaml"})
         scenes.push_back(effective_scene(read_scene(test_folder / "complete" / name)));
     // A field has one first law; those that add have the same keys.
     for (const nlohmann::json& term : scenes.back()["magnetic_field"]["plus"])

@@ -224,6 +224,15 @@ TEST_F(LatticeFileTest, KeepsTheMaterialsOfTheElements) {
     test::expect_says(error(), {"number of its material"});
 }
 
+TEST_F(LatticeFileTest, KeepsTheRigidPartsOfTheElements) {
+    const Mesh mesh = box_mesh({{1e-3, 6e-4, 3e-4}, {3, 1, 1}});
+    write_lattice_file({mesh.nodes, mesh.elements, {}, {}, {-1, 1, 0}}, file_);
+    EXPECT_EQ(read_lattice_file(file_).element_rigid, (std::vector{-1, 1, 0}));
+    EXPECT_TRUE(read_lattice_file(file_).element_material.empty());
+    write("nodes 1\n0 0 0\nelements 1\n0 0 0 0 0 0 0 0 1 2 3 0 -2\n");
+    test::expect_says(error(), {"of its rigid part"});
+}
+
 TEST_F(LatticeFileTest, ErrorsNameTheLineAndWhatItShouldHold) {
     write("# comment\nnodes two\n");
     test::expect_says(error(), {"line 2: expected \"nodes N\""});

@@ -16,6 +16,7 @@ from magfsi.report import page as of_a_run
 STYLE = """
 .verdict { font-size: 1.15em; max-width: 60em; }
 img { display: block; max-width: 100%; background: #fff; border-radius: 4px; }
+@media (max-width: 700px) { img { max-width: none; width: 860px; } }
 th.number { text-align: right; }
 """
 COST = ("run", "fluid", "wall[s]", "processor[s]", "steps[1]", "cells of the fluid[1]", "ranks",
@@ -37,7 +38,7 @@ def _table(head, rows):
     """Cells of the head are text, the others HTML."""
     lines = [_cells([_text(word) for word in head], "th"), *(_cells(row) for row in rows)]
     text = "\n".join(f"<tr>{line}</tr>" for line in lines)
-    return f'<div class="wide"><table>\n{text}\n</table></div>'
+    return f'<div class="wide" tabindex="0"><table>\n{text}\n</table></div>'
 
 
 # --- probes ---
@@ -156,7 +157,9 @@ def _origin(found):
 
 def _picture(file, words):
     data = base64.b64encode(file.read_bytes()).decode()
-    return f'<figure><img alt="{_text(words)}" src="data:image/png;base64,{data}"></figure>'
+    # On a phone it is as large as its letters need, and moved sideways.
+    return (f'<figure class="wide" tabindex="0"><img alt="{_text(words)}" src="data:image/png;base64,{data}">'
+            "</figure>")
 
 
 def _section(title, *parts):

@@ -246,7 +246,8 @@ def draw_fields(found, out, quantity="speed", plane=None):
             figure.colorbar(image, ax=places, label=f"{label} [{unit}]", location="bottom",
                             shrink=0.6, aspect=30)
     file = Path(out) / "fields.png"
-    figure.savefig(file, dpi=DOTS)
+    # The layout leaves the names of the bars below the page's edge.
+    figure.savefig(file, dpi=DOTS, bbox_inches="tight")
     plt.close(figure)
     return file, _caption(quantity if slices else None, view, times)
 

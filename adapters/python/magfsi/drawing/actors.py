@@ -172,8 +172,8 @@ def vortex_strength(image):
     return np.linalg.norm(vtk_to_numpy(image.GetCellData().GetArray(name)), axis=1)
 
 
-def vortices(file, levels):
-    """A translucent surface for each level; none of a file without a flow."""
+def vortex_surfaces(file, values):
+    """A filter that makes the surface of each of these strengths; none of a file without a flow."""
     image = read_grid(file)
     strength = vortex_strength(image)
     if strength is None or not strength.max():
@@ -183,11 +183,17 @@ def vortices(file, levels):
     image.GetCellData().SetScalars(scalar)
     points = vtk.vtkCellDataToPointData()
     points.SetInputData(image)
-    for level, colour, opacity in levels:
+    for value in values:
         surface = vtk.vtkContourFilter()
         surface.SetInputConnection(points.GetOutputPort())
         surface.SetInputArrayToProcess(0, 0, 0, 0, "strength")
-        surface.SetValue(0, level)
+        surface.SetValue(0, value)
+        yield surface
+
+
+def vortices(file, levels):
+    """A translucent surface for each level."""
+    for surface, (_, colour, opacity) in zip(vortex_surfaces(file, [value for value, _, _ in levels]), levels):
         yield actor(surface, colour, opacity, ambient=0.35, diffuse=0.7, specular=0.15)
 
 

@@ -68,7 +68,7 @@ class Stage:
         self.flow_name, self.obstacles = flow, obstacles
         self.picture = look == "picture"
         self.scene = data.read_json(self.folder / "scene.json", {})
-        self.run = data.read_run(self.folder, ROOM)
+        self.run = data.read_run(self.folder, ROOM, surfaces=False)
         if not self.run["bodies"] and not self.run["flow"]:
             raise data.NotARun(f"{folder}: nothing to draw: no fields; output.structure in the "
                                "scene writes them")

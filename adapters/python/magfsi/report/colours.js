@@ -21,12 +21,14 @@ function unpack(text, Kind) {
   return new Kind(bytes.buffer);
 }
 
+const ROUNDED = 5e-4; // what three digits write as 1 is not 1000 of the smaller unit
+
 // [factor, unit] in which the largest is between 1 and 1000.
 function scaled(largest, unit) {
   const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
   if (!(largest > 0) || !["m", "s", "m/s", "N", "J", "T", "Pa", "W", "A/m"].includes(unit)) return [1, unit];
   const known = unit === "s" ? prefixes.slice(3) : prefixes; // nobody says kiloseconds
-  const [size, prefix] = known.find(([s]) => s <= largest * (1 + 1e-9)) || known.at(-1);
+  const [size, prefix] = known.find(([s]) => s <= largest * (1 + ROUNDED)) || known.at(-1);
   return [1 / size, prefix + unit];
 }
 const round3 = v => String(Math.abs(v) >= 1000 ? Math.round(v) : Number(v.toPrecision(3)));

@@ -6,7 +6,7 @@ import json
 import numpy as np
 
 from magfsi import runs
-from magfsi.report import fields, shapes, sources, waits
+from magfsi.report import fields, shapes, sources, vortices, waits
 from magfsi.report.fields import packed, spread
 
 LARGEST_PAGE = 2e6  # bytes; a phone opens no more at once
@@ -199,8 +199,17 @@ def shown_box(scene, found):
     return (found["low"], found["high"]) if found else (None, None)
 
 
-def read_run(folder, most_bytes, columns=None):
-    """`columns` are those of probes.csv where they have been read already. Raises NotARun."""
+def bytes_of(value):
+    """Length of the packed numbers in it, which are most of what it takes on a page."""
+    if isinstance(value, str):
+        return len(value)
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return sum(map(bytes_of, inner))
+
+
+def read_run(folder, most_bytes, columns=None, surfaces=True):
+    """`columns` are those of probes.csv where they have been read already; surfaces: whether vortices
+    are wanted, too, which get the room that all else leaves. Raises NotARun."""
     scene = read_json(folder / "scene.json", None)
     starts = read_json(folder / "run.json", [])
     if scene is None or not starts:
@@ -219,7 +228,9 @@ def read_run(folder, most_bytes, columns=None):
         seen["columns"] += [as_column(name, values) for name, values in courses.items()]
     low, high = shown_box(scene, found)
     middle = found["middle"] if found else [b / 2 for b in high] if high else None
-    slices = fields.flows(folder, scene, middle, 0.45 * most_bytes) if "fluid" in scene and middle else []
+    slices = fields.flows(folder, scene, middle, 0.38 * most_bytes) if "fluid" in scene and middle else []
+    room = most_bytes - bytes_of([seen, found, slices])
+    turning = vortices.vortices(folder, room) if surfaces and slices else None
     last = starts[-1]
     texts = [file for name in ("scene_as_given.yaml", "scene.yaml") if (file := folder / name).exists()]
     return {"name": scene.get("name", folder.name), "folder": str(folder),
@@ -237,4 +248,5 @@ def read_run(folder, most_bytes, columns=None):
             "box": scene.get("fluid", {}).get("box"), "wires": shapes.wires(scene, low, high),
             "field": field, "sources": drawn, "load": load(scene, columns, rows), "probes": seen,
             "points": scene.get("probes", {}).get("points", {}), "bodies": found,
-            "flow": slices[0] if slices else None, "other_flows": slices[1:]}
+            "flow": slices[0] if slices else None, "other_flows": slices[1:],
+            "vortices": turning}

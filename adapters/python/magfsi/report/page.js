@@ -12,6 +12,7 @@ function add(parent, tag, text, kind) {
 const share = v => v === 0 ? "0" : Math.abs(v) < 1e-4 ? v.toExponential(1) : `${round3(100 * v)} %`;
 const seconds = v => quantity(v, "s");
 
+const LEAST_SHARE = 0.2; // of the view's width: a robot whose course is so long is followed from the start
 const SHORTEST = 1e-9; // s, of a run that shows one instant only
 let allRuns = [], shownRun, axis, several = false, drawn = [], end = 1, now = 0, playing = false, last = 0;
 const view = new View(element("view"));
@@ -158,6 +159,22 @@ function legend(box, text, q, glass = 1, range = 1) {
   add(bar, "span", `${beyond ? "≥ " : ""}${number(factor * range * q.high)}${unit === "1" ? "" : " " + unit}`, "number");
 }
 
+// The levels of the surfaces; go() says of which instant they are.
+function legendOfVortices(box) {
+  const item = add(box, "span", undefined, "legend"), { levels, unit } = view.vortices;
+  add(add(item, "span", "vortices, |curl u|"), "span", "", "instant");
+  levels.forEach(({ value }, i) => {
+    const level = add(item, "span", undefined, "bar-ends");
+    add(level, "i", undefined, "mark").style.background = `rgb(${view.vortices.colour(i).map(v => Math.round(255 * v)).join()})`;
+    add(level, "span", `${number(value)}${i === levels.length - 1 ? ` ${unit}` : ""}`, "number");
+  });
+  sayInstant();
+}
+function sayInstant() {
+  const said = document.querySelector("#legend .instant");
+  if (said) said.textContent = ` at ${quantity(view.vortices.times[view.vortices.nearest(now)], "s")}:`;
+}
+
 function showLegend() {
   const box = element("legend");
   box.replaceChildren();
@@ -174,6 +191,7 @@ function showLegend() {
   });
   const f = shownRun.flow, q = f?.quantities[view.flow];
   if (q) legend(box, `flow at ${"xyz"[f.axis]} = ${quantity(f.at, "m")}: ${q.name}`, q, GLASS, view.range);
+  if (view.flow === "vortices") legendOfVortices(box);
   element("range-label").hidden = element("plane-label").hidden = !q; element("arrows-label").hidden = !q || !f.arrows;
   for (const { missing } of shownRun.sources) if (missing) add(box, "span", `${missing}: not drawn, for it follows a formula or a file`, "legend");
   const shown = shownRun.bodies;
@@ -202,7 +220,8 @@ function show(runs) {
   const planes = shownRun.planes ||= [shownRun.flow, ...shownRun.other_flows].filter(Boolean);
   const plane = choices("plane", planes.map((f, i) => [String(i), `${"xyz"[f.axis]} = ${quantity(f.at, "m")}`]), element("plane").value);
   shownRun.flow = planes[plane] || null;
-  const flows = (shownRun.flow?.quantities || []).map((q, i) => [String(i), q.name.replace(/ along .$/, "")]).concat([["", "none"]]);
+  const flows = (shownRun.flow?.quantities || []).map((q, i) => [String(i), q.name.replace(/ along .$/, "")])
+    .concat(shownRun.vortices ? [["vortices", "vortices"]] : [], [["", "none"]]);
   view.colour = choices("colour", colours, fresh ? asked("colour", colours) : view.colour);
   view.flow = choices("flow", flows, fresh ? asked("flow", flows) : view.flow);
   element("flow-label").hidden = flows.length < 2;
@@ -216,6 +235,7 @@ function show(runs) {
   drawn.forEach(panel => panel.differ(element("differ").checked && several));
   // A run that goes on is followed; one that has ended begins where it shows most.
   const first = new URLSearchParams(location.hash.slice(1)).has("t") ? Number(asked("t")) : held.live ? end : shownRun.bodies?.begin ?? end;
+  if (fresh && view.share() < LEAST_SHARE) aim("follow");
   go(fresh ? first : atEnd && !playing ? end : now);
 }
 
@@ -246,7 +266,7 @@ function go(time) {
   element("time").value = now / end;
   element("now").textContent = nowSaid();
   element("time").setAttribute("aria-valuetext", nowSaid());
-  view.draw();
+  view.draw(); sayInstant();
   drawn.forEach(panel => panel.draw(now));
 }
 

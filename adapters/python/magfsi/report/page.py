@@ -13,7 +13,7 @@ from magfsi.report.fields import packed
 HERE = Path(__file__).resolve().parent
 # Debian's libjs-chart.js; the page holds the whole of it.
 CHART = Path(os.environ.get("MAGFSI_CHART_JS", "/usr/share/javascript/chart.js/chart.min.js"))
-SCRIPTS = ("colours.js", "view.js", "sources.js", "curves.js", "panel.js", "page.js")
+SCRIPTS = ("colours.js", "view.js", "sources.js", "vortices.js", "curves.js", "panel.js", "page.js")
 
 
 def as_json(value):

@@ -88,6 +88,7 @@ class Panel {
       return { data, label: this.label(l), borderColor: colour, backgroundColor: colour, borderDash: DASHES[axis], borderWidth: 1.5,
         pointRadius: l.values.length === 1 ? 2 : 0, pointHitRadius: 0 };
     });
+    const [lowest, highest] = [Math.min, Math.max].map(most => datasets.reduce((v, d) => d.data.reduce((w, p) => most(w, p.y), v), 0));
     const axis = (title, more) => ({ grid: { color: grid, drawBorder: false }, ticks: { color: ink, maxRotation: 0, includeBounds: false, autoSkipPadding: 12, callback: number, ...more },
       title: { display: title !== "", text: title, color: ink, padding: 0 } });
     const one = this.xUnit === "1" ? "" : ` ${this.xUnit}`, y = this.unit === "1" ? "" : ` ${this.unit}`;
@@ -98,7 +99,8 @@ class Panel {
         tooltip: { callbacks: { title: items => `${this.axis.name} ${number(items[0].parsed.x)}${one}`,
           label: item => `${item.dataset.label} ${number(item.parsed.y)}${y}` } } },
       scales: { x: { type: "linear", min: this.xFactor * this.x[0], max: this.xFactor * this.x[1], ...axis(`${this.axis.name}${one && ` [${this.xUnit}]`}`) },
-        y: axis("", { maxTicksLimit: 6 }) } } });
+        // Rounding below zero takes no room.
+        y: { ...(lowest < 0 && lowest > -1e-6 * highest ? { min: 0 } : {}), ...axis("", { maxTicksLimit: 6 }) } } } });
     this.draw(this.time);
   }
 

@@ -28,6 +28,7 @@ class View {
     this.empty = !(high[0] >= low[0]);
     this.box = this.empty ? [[0, 0, 0], [1, 1, 1]] : [low, high];
     this.extent = Math.max(Math.hypot(...low.map((v, d) => high[d] - v)), 1e-9);
+    this.vortices = this.run.vortices ? new Vortices(this.run.vortices) : null;
     this.sources = runs[0].sources.filter(source => !source.missing).map(source => new Source(source));
   }
 
@@ -45,6 +46,14 @@ class View {
     const parts = this.aim === "robot" && bodies.length ? bodies.map(b => [b.low, b.high]) : [this.box];
     if (this.aim === "all") for (const source of this.sources) parts.push(source.ends());
     return [0, 1].map(end => [0, 1, 2].map(d => Math[end ? "max" : "min"](...parts.map(p => p[end][d]))));
+  }
+
+  // The first robot's length takes this share of the view's width, framed on its course.
+  share() {
+    if (!this.run.bodies || !this.canvas.clientWidth) return 1;
+    this.width = this.canvas.clientWidth; this.height = this.canvas.clientHeight;
+    this.look();
+    return this.scale * this.run.bodies.size / this.width;
   }
 
   zoomAt(x, y, factor) { // what is at this place of the view stays there
@@ -117,11 +126,12 @@ class View {
     if (this.run.box) this.drawBox();
     this.drawWires();
     // Of two faces the one further away first; the slice between those behind and before it.
-    const flow = this.run.flow, cut = flow && this.flow !== "" ? flow : null, far = [], near = [];
+    const flow = this.run.flow, cut = flow?.quantities[this.flow] ? flow : null, far = [], near = [];
     for (const shape of this.shapes) shape.faces(this, cut, far, near);
     this.paint(far);
     if (cut) this.drawSlice(cut);
     this.paint(near);
+    if (this.vortices && this.flow === "vortices") this.vortices.draw(this);
     this.marks = [];
     for (const source of this.sources) source.draw(this);
     this.drawField(); this.drawAxes(); this.drawScale();

@@ -38,6 +38,7 @@ class Probes : public coupler::Output {
     std::vector<bodies::BodyLoads> collect_loads(const NodalState& nodes) const;
     void add_supports(const NodalState& state,
                       std::vector<bodies::BodyLoads>& loads) const;
+    void add_contact(std::vector<bodies::BodyLoads>& loads) const;
     FluidEnergy add_partner_values(std::vector<double>& row);
     void add_audit(const NodalState& nodes, const FluidEnergy& fluid,
                    std::vector<double>& row);
@@ -116,6 +117,7 @@ std::vector<bodies::BodyLoads> Probes::collect_loads(const NodalState& nodes) co
         for (std::size_t b = 0; b < loads.size(); ++b) {
             loads[b].energy_elastic_j = run_.engine->fix_vector(run_.fix_ids[b], 1);
             loads[b].work_magnetic_j = run_.engine->fix_vector(run_.fix_ids[b], 3);
+            loads[b].kinetic_beyond_nodes_j = run_.rigid.beyond_nodes_j(nodes.rigid, b);
             // The work on a path of equilibria is known on the root only. The collective
             // calls above are made by all ranks.
             if (!run_.field_work.empty())
@@ -123,7 +125,21 @@ std::vector<bodies::BodyLoads> Probes::collect_loads(const NodalState& nodes) co
         }
     }
     if (needs(run_.scene, bodies::Load::support)) add_supports(nodes, loads);
+    if (needs(run_.scene, bodies::Load::contact)) add_contact(loads);
     return loads;
+}
+
+// Adds the force of all contact on each node. Collective.
+void Probes::add_contact(std::vector<bodies::BodyLoads>& loads) const {
+    const auto force_n = run_.engine->gather_contact_forces(run_.atoms);
+    if (force_n.empty()) return;
+    auto from = force_n.begin();
+    for (std::size_t b = 0; b < loads.size(); ++b) {
+        const auto to =
+            from + static_cast<std::ptrdiff_t>(run_.input.bodies[b].mesh.nodes.size());
+        loads[b].contact_n.assign(from, to);
+        from = to;
+    }
 }
 
 // Adds the force of the supports on each node [N], m a - F: m its mass, a the

@@ -88,11 +88,15 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
     }
     double softest = INFINITY;
     for (const Body& body : bodies) {
-        for (const Material& material : used_materials(body)) {
+        for (const Material& material : pressing_materials(body, bodies)) {
             softest = std::min(softest,
                                material.lame_lambda_pa + 2 * material.shear_modulus_pa);
         }
     }
+    if (std::isinf(softest))
+        refuse(
+            "contact without stiffness found, and no body has a modulus from which it "
+            "would follow; give the stiffness");
     return fitted::contact_stiffness * softest / distance_m;
 }
 

@@ -40,8 +40,6 @@ class FixMagtticeMotion : public LAMMPS_NS::Fix {
     template <class Value>
     Value of_course(Value (*what)(const MotionCourse&, double time_s),
                     int steps_ago) const;
-    // Fails if another fix integrates an atom of the group, which would move twice.
-    void refuse_integrated() const;
     // Sets the velocity of all atoms in the group to that of the course.
     void set_velocity();
     // Place of an atom without the jumps at periodic sides.
@@ -76,24 +74,9 @@ Value FixMagtticeMotion::of_course(Value (*what)(const MotionCourse&, double tim
     }
 }
 
-void FixMagtticeMotion::refuse_integrated() const {
-    for (int f = 0; f < modify->nfix; ++f) {
-        const LAMMPS_NS::Fix& other = *modify->fix[f];
-        if (other.time_integrate == 0) continue;
-        for (int i = 0; i < atom->nlocal; ++i) {
-            const int mask = atom->mask[i];
-            if ((mask & groupbit) != 0 && (mask & other.groupbit) != 0)
-                fail(*error,
-                     "fix {} magttice/motion and fix {} {} both move atom {}; leave the "
-                     "atoms of the first out of the other's group",
-                     id, other.id, other.style, atom->tag[i]);
-        }
-    }
-}
-
 // Velocities are set before the first forces are evaluated and before ghosts get theirs.
 void FixMagtticeMotion::init() {
-    refuse_integrated();
+    refuse_integrated_twice(*lmp, *this);
     set_velocity();
 }
 

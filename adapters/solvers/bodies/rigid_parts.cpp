@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "adapters/solvers/bodies/rigid_parts.h"
+
+#include "structure/lattice/rigid_mass.h"
+
+namespace magfsi::bodies {
+
+std::vector<RigidPartOfScene> rigid_parts_of(const Solids& solids) {
+    std::vector<RigidPartOfScene> all;
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        for (std::size_t p = 0; p < solids[b].rigid_parts.size(); ++p) {
+            const std::string& region = solids[b].rigid_parts[p].name;
+            all.push_back({b, static_cast<int>(p),
+                           solids[b].name + (region.empty() ? "" : "." + region)});
+        }
+    }
+    return all;
+}
+
+RigidKinetics::RigidKinetics(const Solids& solids,
+                             std::span<const structure::Vec3> start_m)
+    : parts_(rigid_parts_of(solids)) {
+    std::vector<std::size_t> first{0};
+    for (const structure::Body& solid : solids)
+        first.push_back(first.back() + solid.mesh.nodes.size());
+    for (const RigidPartOfScene& one : parts_) {
+        const structure::Body& solid = solids[one.body];
+        inertia_kg_m2_.push_back(structure::inertia_beyond_nodes_kg_m2(
+            solid, one.part, start_m.subspan(first[one.body], solid.mesh.nodes.size())));
+    }
+}
+
+double RigidKinetics::beyond_nodes_j(std::span<const structure::RigidPartMotion> motions,
+                                     std::size_t body) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (parts_[i].body != body) continue;
+        const structure::Vec3& w = motions[i].angular_velocity_rad_s;
+        const Eigen::Vector3d at_start =
+            motions[i].turn.conjugate() * Eigen::Vector3d(w[0], w[1], w[2]);
+        sum += 0.5 * at_start.dot(inertia_kg_m2_[i] * at_start);
+    }
+    return sum;
+}
+
+double RigidKinetics::beyond_nodes_j(
+    std::span<const structure::RigidPartMotion> motions) const {
+    double sum = 0;
+    const std::size_t bodies = parts_.empty() ? 0 : parts_.back().body + 1;
+    for (std::size_t b = 0; b < bodies; ++b) sum += beyond_nodes_j(motions, b);
+    return sum;
+}
+
+}  // namespace magfsi::bodies

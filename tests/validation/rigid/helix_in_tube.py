@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A rigid helical swimmer with a magnetic head in a tube of glycerol, against the finite elements of
+Caldag and Yesilyurt (J. Fluids Struct. 90, 164, 2019): the advance for each turn of the field.
+
+Their flow is Stokes', in which advance and turns do not depend on the viscosity. Here it is 50 mm2/s,
+with a Reynolds number of 0.3 of the head, for steps that are longer than glycerol's."""
+
+import math
+import sys
+import unittest
+from pathlib import Path
+
+from magfsi import surfaces, testing
+
+HERE = Path(__file__).resolve().parent
+SCENE = HERE / "helix_in_tube.yaml"
+sys.path.insert(0, str(HERE.parent / "sphere"))
+import ball_mesh  # noqa: E402
+
+CUBE = 0.05e-3
+HEAD, HEAD_LENGTH, ROUNDED = 0.4e-3, 1.5e-3, 0.1e-3
+COIL, PITCH, WIRE = 0.29e-3, 1e-3, 0.1e-3
+
+
+def in_head(x, y, z):
+    """A cylinder with rounded edges."""
+    r, along = math.hypot(y, z), abs(x - HEAD_LENGTH / 2)
+    over_r, over_x = r - (HEAD - ROUNDED), along - (HEAD_LENGTH / 2 - ROUNDED)
+    if over_r > 0 and over_x > 0:
+        return math.hypot(over_r, over_x) <= ROUNDED
+    return over_r <= ROUNDED and over_x <= ROUNDED
+
+
+class Cubes:
+    """Cubes whose middle is in the head or in the left-handed tail, as ball_mesh writes them."""
+
+    def __init__(self, turns):
+        begin = HEAD_LENGTH - 0.1e-3
+        self.nodes, self.elements, number = [], [], {}
+        half = math.ceil(HEAD / CUBE)
+        for i in range(math.ceil((begin + turns * PITCH + WIRE) / CUBE)):
+            x = (i + 0.5) * CUBE
+            # The points of the wire's middle line that can be this near.
+            share = [(x - begin) / PITCH + k / 200 * WIRE / PITCH * 2 for k in range(-100, 101)]
+            line = [(begin + s * PITCH, COIL * math.cos(2 * math.pi * s), -COIL * math.sin(2 * math.pi * s))
+                    for s in share if 0 <= s <= turns]
+            for j in range(-half, half):
+                for k in range(-half, half):
+                    at = (x, (j + 0.5) * CUBE, (k + 0.5) * CUBE)
+                    if in_head(*at) or any(math.dist(at, p) <= WIRE for p in line):
+                        self.elements.append([self.node(number, i + a, j + b, k + c) for c in (0, 1)
+                                              for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))])
+
+    def node(self, number, *at):
+        if at not in number:
+            self.nodes.append([CUBE * c for c in at])
+            number[at] = len(self.nodes)
+        return number[at]
+
+
+class Puller(unittest.TestCase):
+    def advance(self, tube_mm, turns, expected_mm, more=None):
+        folder = Path(testing.new_folder())
+        (folder / "scene.yaml").write_text(SCENE.read_text())
+        ball_mesh.write(folder / "swimmer.msh", Cubes(turns))
+        side = tube_mm + 0.2
+        surfaces.write_stl(folder / "tube.stl",
+                           surfaces.block_with_hole(tube_mm / 2, side / 2 + 0.1, (-1, 11), 64))
+        probes = testing.good_run(folder / "scene.yaml", {
+            "fluid.box": f"[10 mm, {side} mm, {side} mm]",
+            "fluid.obstacles.tube.stl.shift": f"[0 mm, {side / 2} mm, {side / 2} mm]",
+            "bodies.swimmer.initial.position": f"[{(8.5 - turns) / 2} mm, {side / 2} mm, {side / 2} mm]",
+            **(more or {})}, ranks="structure=1,fluid=2", limit_s=1800).probes()
+        times, x = probes["t[s]"], probes["swimmer.rigid_x[m]"]
+        rate = 15.0
+        last = times[-1] - 1 / rate
+        first = min(range(len(times)), key=lambda n: abs(times[n] - last))
+        found = 1e3 * (x[-1] - x[first]) / ((times[-1] - times[first]) * rate)
+        turned = [math.atan2(w, v) for w, v in zip(probes["swimmer.rigid_q_x[1]"], probes["swimmer.rigid_q_w[1]"])]
+        behind = math.remainder(2 * turned[-1] - 2 * math.pi * rate * times[-1], 2 * math.pi)
+        off_axis = max(math.hypot(y - 0.5e-3 * side, z - 0.5e-3 * side) for y, z in zip(
+            probes["swimmer.rigid_y[m]"][first:], probes["swimmer.rigid_z[m]"][first:]))
+        testing.report(f"tube {tube_mm} mm, {turns} turns: {found:.4f} mm a turn, "
+                       f"{100 * (abs(found) / expected_mm - 1):+.2f} %; {1e3 * off_axis:.3f} mm off the axis, "
+                       f"{math.degrees(behind):.0f} degrees from the field")
+        self.assertAlmostEqual(abs(found) / expected_mm, 1, delta=0.05)
+
+    def test_in_a_narrow_tube(self):
+        self.advance(1.6, 4, 0.1184)
+
+    def test_with_two_turns(self):
+        self.advance(1.6, 2, 0.0733)
+
+
+if __name__ == "__main__":
+    unittest.main()
