@@ -255,9 +255,10 @@ DesignProblem::Found DesignProblem::move(const Eigen::VectorXd& x, const Design&
 }
 
 DesignProblem::Found DesignProblem::rise(const Design& to) {
-    Design from{to.magnetization_a_m, {}, to.stiffness, to.thickness};
-    from.loads.sources_s = to.loads.sources_s;
-    from.loads.driven_m.resize(to.loads.driven_m.size());
+    Design from = to;
+    from.loads.field_t = from.loads.gravity_m_s2 = {};
+    from.loads.gradient = from.loads.sources = 0;
+    std::ranges::fill(from.loads.driven_m, Vec3{});
     return move(flat_positions(shaped(to).mesh.nodes), from, to, 8);
 }
 

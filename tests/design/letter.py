@@ -18,6 +18,8 @@ import numpy as np
 
 from designs import Strip, folder_with, letter, mean_distance, run, write_curve
 from magfsi import runs, testing
+from magfsi.design.design_file import read_design
+from magfsi.design.problem import Problem
 
 TURN = math.radians(108)  # 0.6 of half a turn
 FILE = """name: letter
@@ -76,6 +78,31 @@ class Letter(unittest.TestCase):
         self.assertLess(wall_s, LIMIT_S)
         for pose in facts["poses"].values():
             self.assertTrue(pose["reached_by_rise"], facts)
+
+    def seconds_of_a_step(self, strip, more, scene):
+        """(unknowns, seconds of a trial in the mean) at the same early part of the search."""
+        folder = folder_of(strip, 60, more=more)
+        (folder / "scene.yaml").write_text(scene)
+        with Problem(read_design(folder / "letter.yaml"), processes=1) as problem:
+            search = problem.search
+            state = search.begin(search.unknowns.start())
+            began = time.monotonic()
+            for i in range(4):
+                state = search.improved(state, 0.05 * (i + 1))
+            return search.unknowns.size, (time.monotonic() - began) / sum(s.trials for s in search.history)
+
+    def test_cost_of_unknowns(self):
+        """A thousand unknowns cost at most twice what ten do."""
+        strip = Strip()
+        fifths = ", ".join(f"r{i}: {{box: [[{4 * i} mm, 0 mm, 0 mm], [{4 * i + 4} mm, 4 mm, 1 mm]]}}"
+                           for i in range(5))
+        regions = strip.text.replace("    clamps:", f"    regions: {{{fifths}}}\n    clamps:")
+        few, few_s = self.seconds_of_a_step(strip, ", by: region", regions)
+        many, many_s = self.seconds_of_a_step(strip, ", constant_along: [z]", strip.text)
+        testing.report(f"{few} unknowns: {few_s:.2f} s a step; {many}: {many_s:.2f} s")
+        self.assertEqual(few, 10)
+        self.assertGreater(many, 1000)
+        self.assertLess(many_s, 2 * few_s)
 
 
 if __name__ == "__main__":

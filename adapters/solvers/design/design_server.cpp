@@ -124,6 +124,11 @@ class Server {
 };
 
 structure::Body Server::designed() {
+    if (!scene_.bodies[number_].rigid.empty())
+        throw std::invalid_argument(fmt::format(
+            "bodies.{}.rigid: found rigid parts; a design needs a body that is soft all "
+            "over: remove this key, or take a stiff material",
+            scene_.bodies[number_].name));
     scene_.bodies[number_].magnetization = structure::UniformMagnetization{};
     const bodies::Solids solids = bodies::to_bodies(scene_);
     const auto surroundings = bodies::to_surroundings(scene_, solids);
