@@ -60,6 +60,23 @@ class Forward(unittest.TestCase):
                 "[" + ", ".join(f"{2 * t} s" for t in range(6)) + "]",
             "output.structure.every": "1 s"}), 2)
 
+    def test_motion_in_water(self):
+        # The water that moves along is four times the strip's mass; what swings in it dies away in
+        # seconds, so that the field takes six to rise, and stays for six.
+        field = json.loads((self.folder / "out/results.json").read_text())["poses"]["s"]["field_t"]
+        up = "[" + ", ".join(f"{b:.9g} T" for b in field) + "]"
+        result = testing.run(self.folder / "out/scene.yaml", {
+            "time": "{end: 12 s}", "bodies.strip.initial": "{position: [15 mm, 5 mm, 5.2 mm]}",
+            "fluid": "{box: [32 mm, 10 mm, 28 mm], spacing: 1 mm, density: 1000 kg/m3, "
+                     "viscosity: 1 mm2/s, expected_speed: 0.02 m/s}",
+            "magnetic_field.vector_table": f"{{time: [0 s, 6 s, 12 s], vector: [[0 T, 0 T, 0 T], {up}, {up}]}}",
+            "output.structure.every": "1 s"})
+        self.assertEqual(result.code, 0, result.err)
+        shift = np.array([5e-3, 3e-3, 5e-3])  # of the clamp in the box
+        off = mean_distance(self.shape(result.folder, 12.0) - shift, self.wanted("s")) / STRIP.length_m
+        testing.report(f"in water: {100 * off:.2f} % of the length")
+        self.assertLess(off, WITHIN)
+
 
 if __name__ == "__main__":
     sys.exit(unittest.main())

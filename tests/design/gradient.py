@@ -10,10 +10,10 @@ from designs import folder_with
 from magfsi import testing
 from magfsi.design.program import Design, Program
 
-# Central differences of the fourth order of steps of 1 % have an error of some 1e-8; equilibria are
-# good to 1e-11 of the displacements, which the differences raise to 1e-9 or so.
-STEP, BOUND = 0.01, 1e-6
-GRADIENT = "gradient: {matrix: [[0.4 T/m, 0.1 T/m, 0 T/m], [0.1 T/m, 0.3 T/m, 0.2 T/m], " \
+# Central differences of the sixth order of steps of some 3 % have an error of 1e-9 to 1e-7; smaller
+# steps raise the rounding of supports' forces, which balance each other in a body that bends little.
+STEP, BOUND = 0.03, 1e-6
+GRADIENT = "vector: [0 mT, 0 mT, 0 mT], gradient: {matrix: [[0.4 T/m, 0.1 T/m, 0 T/m], [0.1 T/m, 0.3 T/m, 0.2 T/m], " \
            "[0 T/m, 0.2 T/m, -0.7 T/m]]}"
 SOURCE = "sources: {magnet: {cylinder: {diameter: 8 mm, height: 8 mm, axis: [0, 0, 1], " \
          "remanence: [0 T, 0 T, 1.2 T]}, position: [10 mm, 0 mm, 30 mm]}}"
@@ -24,8 +24,9 @@ bodies:
     mesh: {mesh}
     {regions}
     material: {{shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}}
+    magnetization: {{uniform: [1 kA/m, 0 A/m, 0 A/m]}}
     clamps: [{clamp}]
-gravity: {{acceleration: 9.81 m/s2}}
+gravity: {{acceleration: 0.3 m/s2}}
 {field}
 """
 BLOCK = ("{box: {size: [10 mm, 2 mm, 0.5 mm], elements: [16, 3, 2]}}",
@@ -66,13 +67,14 @@ class Gradient(unittest.TestCase):
         self.x = risen.x
         bend = np.linalg.norm(self.x - program.rest, axis=1).max() / np.ptp(program.rest, axis=0).max()
         count = 4
-        nodes = self.random.integers(0, len(program.rest), (count, 6))
+        held = np.array(program.facts["held"])
+        nodes = self.random.choice(np.flatnonzero(held == 0), (count, 6))
         entries = [(row, 3 * n + self.random.integers(3), self.random.normal(), 0)
                    for row, line in enumerate(nodes) for n in line]
-        held = np.flatnonzero(np.array(program.facts["held"]))
-        direction = self.random.normal(size=3)
-        entries += [(count, 3 * n + d, direction[d], 1) for n in held for d in range(3)]
-        # An uneven weight, as the sum of all supports is that of the loads.
+        # Uneven weights, as the sum of all supports is that of the loads, which a uniform field
+        # does not change.
+        held = np.flatnonzero(held)
+        entries += [(count, 3 * n + d, self.random.normal(), 1) for n in held for d in range(3)]
         entries += [(count + 1, 3 * held[0] + 2, 1.0, 1)]
         self.entries, self.rows = np.array(entries), count + 2
         return bend
@@ -90,10 +92,12 @@ class Gradient(unittest.TestCase):
 
     def compare(self, name, changed, expected):
         """changed(h): the design at a step h of one."""
-        f = {k: self.values(changed(k * STEP)) for k in (-2, -1, 1, 2)}
-        found = (8 * (f[1] - f[-1]) - (f[2] - f[-2])) / (12 * STEP)
-        scale = np.maximum(np.abs(found), 1e-3 * np.abs(found[:4]).max())
-        scale[4:] = np.abs(found[4:])
+        f = {k: self.values(changed(k * STEP)) for k in (-3, -2, -1, 1, 2, 3)}
+        found = (45 * (f[1] - f[-1]) - 9 * (f[2] - f[-2]) + f[3] - f[-3]) / (60 * STEP)
+        # Lengths and forces apart.
+        scale = np.abs(found)
+        for part in (scale[:4], scale[4:]):
+            part[:] = np.maximum(part, 1e-3 * part.max())
         error = np.abs(found - expected) / scale
         testing.report(f"{self.id().split('.')[-1]}, {name}: {error.max():.1e}")
         self.assertLess(error.max(), BOUND, f"{name}: {found} {expected}")
@@ -106,9 +110,10 @@ class Gradient(unittest.TestCase):
                      np.einsum("rei,ei->r", by_m, way))
         way_b = np.array([0.006, -0.01, 0.012])
         self.compare("field", lambda h: replace(d, field=d.field + h * way_b), by_b @ way_b)
-        way_s = self.random.normal(size=len(d.stiffness))
+        way_s = 0.4 * self.random.normal(size=len(d.stiffness))
         self.compare("stiffness", lambda h: replace(d, stiffness=d.stiffness + h * way_s), by_s @ way_s)
-        self.compare("thickness", lambda h: replace(d, thickness=d.thickness + h * way_s), by_t @ way_s)
+        way_t = 0.2 * way_s
+        self.compare("thickness", lambda h: replace(d, thickness=d.thickness + h * way_t), by_t @ way_t)
 
     def both(self, mesh, weak, strong, field=""):
         self.assertLess(self.start(mesh, weak, field), 0.1)
@@ -118,13 +123,13 @@ class Gradient(unittest.TestCase):
         self.check()
 
     def test_block(self):
-        self.both(BLOCK, 1e3, 4e4)
+        self.both(BLOCK, 2e2, 4e4)
 
     def test_block_in_a_gradient(self):
-        self.both(BLOCK, 1e3, 4e4, GRADIENT)
+        self.both(BLOCK, 2e2, 4e4, GRADIENT)
 
     def test_block_with_a_magnet(self):
-        self.both(BLOCK, 1e3, 4e4, SOURCE)
+        self.both(BLOCK, 2e2, 4e4, SOURCE)
 
     def test_gmsh(self):
         self.both(GMSH, 1e3, 8e4)

@@ -8,11 +8,25 @@ from magfsi import runs
 from magfsi.ending import EXIT_ERROR, ended_well
 from magfsi.study import marked
 
+EPILOG = """\
+a design file:
+  scene: scene.yaml                           the body, its mesh, material and clamps
+  poses:
+    up:                                       any name; as many poses as wanted
+      field: [0 mT, 0 mT, 20 mT]              free: direction, or vector, lets it change
+      curve: {file: up.csv}                   the centre line, columns x[mm],y[mm],z[mm]
+      points: [{at: [20 mm, 2 mm, 0.2 mm], to: [9 mm, 2 mm, 14 mm]}]
+      opening: {between: [[..], [..]], distance: 2 mm}
+      force: {face: x_min, direction: [0, 0, 1], force: 1 mN}
+  magnetization: {strength: 60 kA/m, plane: xz}
+
+tutorials/letter/design.yaml is one. The same command goes on where it ended.
+docs/design.md says all that a design file may hold."""
+
 
 def arguments():
-    parser = argparse.ArgumentParser(
-        prog="magfsi design", description=__doc__,
-        epilog="The same command goes on where it ended. docs/design.md says what a design file holds.")
+    parser = argparse.ArgumentParser(prog="magfsi design", description=__doc__,
+                                     epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("design", type=Path, help="design file")
     parser.add_argument("--out", type=Path, help="results (default: runs/design_NAME)")
     parser.add_argument("--set", type=runs.setting, action="append", default=[], metavar="KEY=VALUE",
