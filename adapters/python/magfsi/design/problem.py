@@ -36,12 +36,19 @@ class Reach:
         graph = coo_matrix((size[first], ends), shape=(len(self.rest),) * 2)
         self.length_m = dijkstra(graph.tocsr(), directed=False, indices=self.held, min_only=True)
 
+    def _away(self, places):
+        """Distances from the nearest node that is held."""
+        return np.linalg.norm(places[:, None] - self.rest[self.held][None], axis=2).min(axis=1)
+
     def check(self, mark, nodes, weights, goal):
         """Refuses places farther from everything held than the body is long."""
         if self.length_m is None:
             return
-        most = 1.02 * (weights * self.length_m[nodes]).sum(axis=1)
-        away = np.linalg.norm(goal[:, None] - self.rest[self.held][None], axis=2).min(axis=1)
+        most = (weights * self.length_m[nodes]).sum(axis=1)
+        # A point between nodes that are held is at some distance from each of them.
+        places = np.einsum("pa,pad->pd", weights, self.rest[nodes])
+        most = 1.02 * np.maximum(most, self._away(places))
+        away = self._away(goal)
         # Nodes that are held stay where they are, but for rounding of what was typed.
         most = np.maximum(most, LENGTH_TOLERANCE * np.ptp(self.rest, axis=0).max())
         worst = int(np.argmax(away - most))
