@@ -33,8 +33,8 @@ class Strip:
         lame = ratio * shear
         self.youngs_pa = self.shear_pa * (3 * ratio + 2) / (ratio + 1)
         self.poisson = ratio / (2 * (ratio + 1))
-        self.text = STRIP.format(name=name, length=length, width=width, height=height, shear=shear,
-                                 lame=lame, elements=", ".join(map(str, elements)))
+        self.text = STRIP.format(name=name, length=length, width=width, height=height, shear=shear, lame=lame,
+                                 elements=", ".join(map(str, elements)))
 
     def area_m2(self):
         return self.width_m * self.height_m

@@ -5,7 +5,12 @@ The inverse problem of the elastica: a beam with the heading th(s), clamped at s
 end, in a field B at the angle b, balances E I th'' = -m B sin(b - th) for a magnetisation m along it (per
 length); the mirror image in the field at -b has the same m, and the two shapes leave no freedom. (Lum et
 al. 2016 and Li et al. 2026 start from this equation of moments.) The beam neither stretches nor shears; a
-solid of length over thickness 80 does both by its strain, some 1e-3."""
+solid of length over thickness 80 does both by its strain, some 1e-3.
+
+Two derivatives of a shape raise its errors: the weight of the magnetisation is such that what it smooths
+away and what it lets through are about alike. A torque next to the clamp turns hardly anything, and there
+the weight ends the magnetisation, which of a letter and an arch is largest there. These have no lateral
+contraction, which the clamp would hold back; a sine, whose magnetisation ends by itself, has it."""
 import math
 import sys
 import unittest
@@ -20,7 +25,7 @@ from magfsi.design.problem import Problem
 from magfsi.design.search import Options
 
 WITHIN = 0.02
-ANGLE = math.radians(144)
+ANGLE, TURN = math.radians(144), math.radians(90)
 FILE = """scene: scene.yaml
 poses:
   one: {{field: [{x} mT, 0 mT, {z} mT], curve: {{file: one.csv}}}}
@@ -28,8 +33,9 @@ poses:
 magnetization: {{strength: {strength} kA/m, plane: xz, constant_along: [y, z]}}
 """
 SHAPES = {
-    "letter": (letter(math.radians(90)), lambda s: math.radians(90) * 2 * math.pi**2 * np.cos(2 * math.pi * s)),
-    "arch": (lambda s: math.radians(90) * (1 - (1 - s)**3), lambda s: -math.radians(90) * 6 * (1 - s)),
+    "letter": (letter(TURN), lambda s: TURN * 2 * math.pi**2 * np.cos(2 * math.pi * s)),
+    "sine": (lambda s: TURN * (s + np.sin(math.pi * s) / math.pi), lambda s: -TURN * math.pi * np.sin(math.pi * s)),
+    "arch": (lambda s: TURN * (1 - (1 - s)**3), lambda s: -TURN * 6 * (1 - s)),
 }
 
 
@@ -46,7 +52,7 @@ def found(strip, heading, field_mt, strength):
     write_curve(folder / "one.csv", line)
     line[:, 2] = strip.height_m - line[:, 2]
     write_curve(folder / "other.csv", line)
-    problem = Problem(read_design(folder / "design.yaml"), options=exact_to(1e-5))
+    problem = Problem(read_design(folder / "design.yaml"), options=exact_to(7e-6))
     return problem, problem.search.stages(problem.search.begin(problem.unknowns.start()))
 
 
@@ -61,8 +67,7 @@ class Elastica(unittest.TestCase):
             s = problem.program.centres[:, 0] / strip.length_m
             exact = (-strip.bending_nm2() * second(s) / strip.length_m**2
                      / (strip.area_m2() * 1e-3 * field_mt * np.sin(ANGLE - heading(s))))
-            # The clamp of a solid keeps its section, and near the free end a torque turns hardly
-            # anything: a tenth of the length at either end is left out.
+            # A tenth of the length at either end is left out.
             within = (s > 0.1) & (s < 0.9)
             off = np.sqrt(np.mean(((m[:, 0] - exact)**2 + m[:, 2]**2)[within])
                           / np.mean(exact[within]**2))
@@ -70,12 +75,18 @@ class Elastica(unittest.TestCase):
                            f"{[f'{100 * e:.3f} %' for e in search.errors(state)]})")
             return off
 
+    def profile_of(self, shape, elements, ratio):
+        strip = Strip(20, 0.5, 0.25, (elements, 1, 1), ratio=ratio)
+        self.assertLess(self.profile(strip, shape), WITHIN)
+
     def test_small(self):
-        strip = Strip(20, 0.5, 0.25, (60, 1, 2))
-        self.assertLess(self.profile(strip, "letter"), WITHIN)
+        self.profile_of("sine", 80, ratio=20)
+
+    def test_letter(self):
+        self.profile_of("letter", 80, ratio=0)
 
     def test_arch(self):
-        self.assertLess(self.profile(Strip(20, 0.5, 0.25, (80, 2, 2)), "arch"), WITHIN)
+        self.profile_of("arch", 80, ratio=0)
 
 
 HARMONIC = """name: strip
@@ -106,14 +117,19 @@ class Harmonic(unittest.TestCase):
         wave = 2 * math.pi * s + math.radians(45)
         exact = 62e3 * np.stack([np.cos(wave), 0 * s, np.sin(wave)], axis=1)
         nodes, weights = program.centre_line()
+        shapes = []
         for name, sign in (("v", 1), ("c", -1)):
             risen = program.rise(Design(exact, sign * np.array([5e-3, 0, 5e-3])))
             self.assertTrue(risen.reached)
-            write_curve(folder / f"{name}.csv", np.einsum("pa,pad->pd", weights, risen.x[nodes]))
+            shapes.append(np.einsum("pa,pad->pd", weights, risen.x[nodes]))
+            write_curve(folder / f"{name}.csv", shapes[-1])
         program.close()
         (folder / "design.yaml").write_text(OF_HARMONIC)
-        with Problem(read_design(folder / "design.yaml"), options=exact_to(1e-7)) as problem:
+        with Problem(read_design(folder / "design.yaml"), options=exact_to(1e-10)) as problem:
             search = problem.search
+            # The very places: along a curve the chords would be those at rest, 0.1 % off.
+            for objective, shape in zip(search.poses, shapes):
+                objective.terms[0].goal = shape
             state = search.stages(search.begin(search.unknowns.start()))
             part = problem.magnetization
             m = part.vectors(search.unknowns.part(state.p))

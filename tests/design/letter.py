@@ -10,6 +10,7 @@ the strip cannot get past the direction of the field; and the part of m along th
 For an S that turns by 108 degrees, 144 degrees from the strip fulfil both."""
 import json
 import math
+import os
 import sys
 import time
 import unittest
@@ -31,7 +32,7 @@ magnetization: {{strength: {strength} kA/m, plane: xz{more}}}
 """
 FIELD_MT, ANGLE = 20.0, math.radians(144)
 WITHIN = 0.01  # of the length: what the issue asks for
-LIMIT_S = 120.0  # on two cores; the processor time of all processes is compared with twice that
+LIMIT_S = 120.0  # on two cores; the processor time of all processes together is less, on a busy machine, too
 
 
 def folder_of(strip, strength, turn=TURN, more=""):
@@ -55,18 +56,18 @@ def reached(folder, pose):
 class Letter(unittest.TestCase):
     def written(self, strip, strength, more=""):
         folder = folder_of(strip, strength, more=more)
-        began = time.process_time(), time.monotonic()
+        began = sum(os.times()[:4])
         done = run(folder / "letter.yaml", "--out", folder / "out")
         self.assertEqual(done.code, 0, done.err[-2000:])
-        wall_s = time.monotonic() - began[1]
+        busy_s = sum(os.times()[:4]) - began  # of this process and those that have ended
         facts = json.loads((folder / "out/results.json").read_text())
         for pose in ("s", "mirrored"):
             distance = mean_distance(*reached(folder / "out", pose)) / strip.length_m
             testing.report(f"{pose}: mean distance {100 * distance:.3f} % of the length, risen "
                            f"{facts['poses'][pose]}")
             self.assertLess(distance, WITHIN)
-        testing.report(f"{strip.elements}: {wall_s:.1f} s, {facts['steps']} steps")
-        return folder, facts, wall_s
+        testing.report(f"{strip.elements}: {busy_s:.1f} s of processors, {facts['steps']} steps")
+        return folder, facts, busy_s
 
     def test_small(self):
         _, facts, _ = self.written(Strip(elements=(30, 2, 1)), 60)
@@ -74,8 +75,8 @@ class Letter(unittest.TestCase):
             self.assertTrue(pose["reached_by_rise"], facts)
 
     def test_whole(self):
-        _, facts, wall_s = self.written(Strip(), 60)
-        self.assertLess(wall_s, LIMIT_S)
+        _, facts, busy_s = self.written(Strip(), 60)
+        self.assertLess(busy_s, LIMIT_S)
         for pose in facts["poses"].values():
             self.assertTrue(pose["reached_by_rise"], facts)
 

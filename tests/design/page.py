@@ -37,7 +37,7 @@ class Page(unittest.TestCase):
         radius = 0.02 - program.rest[:, 2]
         x[:, 0], x[:, 2] = radius * np.sin(angle), 0.02 - radius * np.cos(angle)
         nodes = np.array([[i, i + 13, i + 26, i + 39] * 2 for i in range(13)])
-        term = Points(nodes, np.full((13, 8), 0.125), x[nodes].mean(axis=1), (0, 2), 1.0, 0.02, True)
+        term = Points(nodes, np.full((13, 8), 0.125), x[nodes].mean(axis=1), 1.0, 0.02, True)
         pose = PoseObjective([term])
         m = np.full((12, 3), 3e4) * [1, 0, -1]
         design = Design(m, np.array([0.01, 0, 0.01]))

@@ -32,7 +32,7 @@ class Case:
         nodes, weights = self.program.centre_line()
         chords = np.full(self.program.pieces, self.program.piece_m)
         signs = (1, -1) if mirrored else (1,)
-        poses = [PoseObjective([Points(nodes[::2], weights[::2], curves.walk(goal, chords)[::2], AXES, 1.0,
+        poses = [PoseObjective([Points(nodes[::2], weights[::2], curves.walk(goal, chords)[::2], 1.0,
                                        STRIP.length_m, True)]) for goal, _ in zip((line, other), signs)]
         fields = [Field(FIELD_T * np.array([math.cos(angle), 0, sign * math.sin(angle)]), free, axes=AXES)
                   for sign in signs]

@@ -27,14 +27,13 @@ def _joined(parts):
 
 
 class Points:
-    """Material points at places: a centre line on a curve, or single points. axes: those that are
-    looked at."""
+    """Material points at places: a centre line on a curve, or single points."""
 
-    def __init__(self, nodes, weights, goal, axes, weight, length_m, curve):
+    def __init__(self, nodes, weights, goal, weight, length_m, curve):
         self.nodes, self.weights, self.goal = nodes, weights, goal
-        self.axes, self.length_m, self.curve = list(axes), length_m, curve
+        self.length_m, self.curve = length_m, curve
         self.scale = np.sqrt(weight / len(nodes)) / length_m
-        self.count, self.unit = len(nodes) * len(self.axes), self.scale * length_m
+        self.count, self.unit = 3 * len(nodes), self.scale * length_m
 
     def places(self, x):
         return np.einsum("pa,pad->pd", self.weights, x[self.nodes])
@@ -57,17 +56,15 @@ class Points:
 
     def residual(self, x, share, _support):
         away = self.places(x) - self.target(share)
-        return self.scale * away[:, self.axes].ravel()
+        return self.scale * away.ravel()
 
     def rows(self, x):
-        count = len(self.nodes) * len(self.axes)
-        entries = np.zeros((len(self.nodes), len(self.axes), 8, 4))
-        entries[..., 0] = np.arange(count).reshape(len(self.nodes), len(self.axes), 1)
-        entries[..., 1] = (3 * self.nodes[:, None, :]
-                           + np.array(self.axes)[None, :, None])
+        entries = np.zeros((len(self.nodes), 3, 8, 4))
+        entries[..., 0] = np.arange(self.count).reshape(-1, 3, 1)
+        entries[..., 1] = 3 * self.nodes[:, None, :] + np.arange(3)[:, None]
         entries[..., 2] = self.scale * self.weights[:, None, :]
         entries = entries.reshape(-1, 4)
-        return Rows(entries[entries[:, 2] != 0], count)
+        return Rows(entries[entries[:, 2] != 0], self.count)
 
     def distances_m(self, x):
         """Of all points from where they are to be."""

@@ -61,6 +61,14 @@ def _mm(point):
     return "(" + ", ".join(f"{1e3 * c:.4g}" for c in point) + ") mm"
 
 
+def _in_plane(wanted, rest, axes):
+    """Places wanted, of a body that stays in a plane: across it where they are at rest. Strips that
+    are to bend twist otherwise, as little resists it."""
+    out = rest.copy()
+    out[:, list(axes)] = wanted[:, list(axes)]
+    return out
+
+
 def _curve(goal, program, reach, axes, length_m):
     nodes, weights = program.centre_line()
     if len(nodes) < 2:
@@ -74,9 +82,9 @@ def _curve(goal, program, reach, axes, length_m):
                          f"the length of the body's centre line within 2 %: {1e3 * body_m:.4g} mm")
     wanted = curves.walk(goal.points_m, np.diff(curves.lengths(line)))
     some = np.unique(np.round(np.linspace(0, len(line) - 1, min(goal.count, len(line)))).astype(int))
-    nodes, weights, wanted = nodes[some], weights[some], wanted[some]
+    nodes, weights, wanted = nodes[some], weights[some], _in_plane(wanted[some], line[some], axes)
     reach.check(goal.mark, nodes, weights, wanted)
-    return Points(nodes, weights, wanted, axes, goal.weight, length_m, curve=True)
+    return Points(nodes, weights, wanted, goal.weight, length_m, curve=True)
 
 
 def _term(goal, program, reach, axes, length_m):
@@ -97,8 +105,10 @@ def _term(goal, program, reach, axes, length_m):
         goal.mark.refuse(str(error), "points of the body at rest")
     if isinstance(goal, OpeningGoal):
         return Opening(nodes, weights, goal.distance_m, goal.weight, length_m)
-    reach.check(goal.mark, nodes, weights, goal.to_m[None])
-    return Points(nodes, weights, goal.to_m[None], axes, goal.weight, length_m, curve=False)
+    rest = np.einsum("pa,pad->pd", weights, program.rest[nodes])
+    wanted = _in_plane(goal.to_m[None], rest, axes)
+    reach.check(goal.mark, nodes, weights, wanted)
+    return Points(nodes, weights, wanted, goal.weight, length_m, curve=False)
 
 
 class Problem:
@@ -139,14 +149,10 @@ class Problem:
             self.length_m = float(curves.lengths(
                 np.einsum("pa,pad->pd", weights, program.rest[nodes]))[-1])
         reach = Reach(program)
-        poses = [PoseObjective([_term(g, program, reach, self.axes_of(g), self.length_m)
+        poses = [PoseObjective([_term(g, program, reach, m.axes, self.length_m)
                                 for g in p.goals]) for p in wanted.poses]
         programs = [self.own[i % len(self.own)] for i in range(len(poses))]
         self.search = Search(self.unknowns, poses, programs, options or Options(), tell)
-
-    def axes_of(self, _goal):
-        """In a plane the places across it do not matter."""
-        return self.wanted.magnetization.axes
 
     def _factors(self, wanted):
         names = self.program.facts["regions"]

@@ -71,7 +71,9 @@ def scene_tree(problem, designs, folder):
         "time": times, "vector": [yaml.safe_load(row) for row in course]}}
     end_s = RISE_S * (len(course) - 1)
     out["time"] = {"end": f"{end_s:g} s", "equilibrium": {"method": "newton"}}
-    out["output"] = {"structure": {"every": f"{RISE_S / 20:g} s"}}
+    every = f"{RISE_S / 20:g} s"  # the points of the path
+    out["probes"] = {"every": every, "bodies": ["com"]}
+    out["output"] = {"structure": {"every": every}}
     return out
 
 
