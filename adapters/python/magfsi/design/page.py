@@ -24,7 +24,7 @@ def _plane(problem, search, state):
     return sorted(np.argsort(extent)[-2:])
 
 
-def _sections(problem, vectors, x, axes, count=36):
+def _sections(problem, vectors, x, axes, count=24):
     """Places and magnetisation in the deformed body, means over parts along the longest axis."""
     program = problem.program
     elements = np.array(program.facts["element_nodes"])
@@ -57,27 +57,30 @@ def _draw_pose(axes_of_figure, problem, objective, vectors, x, field, title, axe
                                                  edgecolors="none"))
     for term in objective.terms:
         if isinstance(term, Points):
-            goal = 1e3 * term.goal[:, axes]
-            axes_of_figure.plot(*goal.T, color=WANTED, lw=1.2, ls="--" if term.curve else "",
-                                marker="" if term.curve else "x", label="wanted", zorder=3)
-            axes_of_figure.plot(*(1e3 * term.places(x)[:, axes].T), color=INK, lw=1.0,
-                                marker="" if term.curve else "o", ms=3, label="reached", zorder=4)
+            axes_of_figure.plot(*(1e3 * term.places(x)[:, axes].T), color=INK, lw=0.8,
+                                marker="" if term.curve else "o", ms=3, label="reached", zorder=3)
+            axes_of_figure.plot(*(1e3 * term.goal[:, axes].T), color=WANTED, lw=1.6,
+                                ls=(0, (3, 3)) if term.curve else "",
+                                marker="" if term.curve else "x", label="wanted", zorder=4)
     places, arrows = _sections(problem, vectors, x, axes)
     angle = np.degrees(np.arctan2(arrows[:, 1], arrows[:, 0])) % 360
-    size = problem.magnetization.strength
+    size = max(np.linalg.norm(arrows, axis=1).max(), 1e-30)
+    length = 1e3 * problem.length_m
     axes_of_figure.quiver(*(1e3 * places.T), *(arrows / size).T, angle, cmap=COLOURS, clim=(0, 360),
-                          angles="xy", scale_units="xy", scale=1 / (0.08e3 * problem.length_m),
-                          width=0.004, zorder=5)
-    low, high = (1e3 * x[:, axes]).min(axis=0), (1e3 * x[:, axes]).max(axis=0)
-    corner = np.array([low[0], high[1]]) + 0.06e3 * problem.length_m * np.array([0, 1.6])
-    way = field[axes] / max(np.linalg.norm(field), 1e-30) * 0.16e3 * problem.length_m
-    axes_of_figure.annotate("", corner + way, corner, arrowprops={"arrowstyle": "-|>", "color": FIELD,
-                                                                  "lw": 1.6})
-    axes_of_figure.text(*(corner - 0.02e3 * problem.length_m), "B", color=FIELD, ha="right", va="top")
+                          angles="xy", scale_units="xy", scale=1 / (0.12 * length), pivot="mid",
+                          width=0.011, zorder=5)
+    shown = np.concatenate([1e3 * x[:, axes]] + [1e3 * t.goal[:, axes] for t in objective.terms
+                                                 if isinstance(t, Points)])
+    low, high = shown.min(axis=0) - 0.08 * length, shown.max(axis=0) + 0.08 * length
+    way = field[axes] / max(np.linalg.norm(field), 1e-30) * 0.2 * length
+    middle = np.array([low[0] - 0.15 * length, high[1] - 0.15 * length])
+    axes_of_figure.annotate("", middle + way / 2, middle - way / 2,
+                            arrowprops={"arrowstyle": "-|>", "color": FIELD, "lw": 1.8})
+    axes_of_figure.text(*(middle - [0, 0.13 * length]), "B", color=FIELD, ha="center", va="top")
+    axes_of_figure.set_xlim(low[0] - 0.3 * length, high[0])
+    axes_of_figure.set_ylim(low[1], high[1])
     axes_of_figure.set_title(title, fontsize=9)
     axes_of_figure.set_aspect("equal")
-    axes_of_figure.autoscale_view()
-    axes_of_figure.margins(0.08)
     axes_of_figure.set_xlabel(f"{'xyz'[axes[0]]} [mm]")
     axes_of_figure.set_ylabel(f"{'xyz'[axes[1]]} [mm]")
 
@@ -113,7 +116,7 @@ def figure(problem, search, state, facts):
         _draw_pose(place, problem, objective, d.magnetization, x, d.field,
                    f"{pose.name}: {100 * error:.2g} % of the length", axes)
     if any(isinstance(t, Points) for t in search.poses[0].terms):
-        places[0].legend(fontsize=7, frameon=False)
+        places[0].legend(fontsize=7, frameon=False, loc="lower left")
     _draw_history(places[count - 1], search)
     data = io.BytesIO()
     picture.savefig(data, dpi=150, format="png")
@@ -148,7 +151,8 @@ def assemble(problem, search, facts, picture):
     parts = [f"<header><h1>{html.escape(title)}</h1></header><main>",
              f'<section><figure><img alt="target and reached shapes, magnetisation" '
              f'src="data:image/png;base64,{shown}"></figure>'
-             "<p>Arrows: the magnetisation in the deformed body, means over cross-sections.</p></section>",
+             "<p>Arrows: the magnetisation in the deformed body, means over cross-sections, the longest as long "
+             "in each pose; colours: its direction.</p></section>",
              "<section><h2>Poses</h2>",
              _table(["pose", "field", "error", "reached by raising the field"], _pose_rows(facts)),
              "</section><section><h2>To make it</h2>", _table(["", ""], cost),

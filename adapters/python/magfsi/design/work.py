@@ -57,7 +57,7 @@ def explained(problem):
         size = np.linalg.norm(pose.field_t)
         lines.append(f"pose {pose.name}: {1e3 * size:.4g} mT"
                      + (f", free: {pose.free}" if pose.free else "")
-                     + f"; goals: {', '.join(type(g).__name__ for g in pose.goals)}")
+                     + f"; goals: {', '.join(type(g).__name__.removesuffix('Goal').lower() for g in pose.goals)}")
     return "\n".join(lines)
 
 
