@@ -36,6 +36,10 @@ class Refused(unittest.TestCase):
         self.refused(TEXT.replace("curve: {file: s.csv}", "points: [{at: [20 mm, 2 mm, 0.2 mm], "
                                   "to: [10 mm, 2 mm, 20 mm]}]"), "design.yaml:5:14", "out of reach")
 
+    def test_point_outside_of_the_body(self):
+        self.refused(TEXT.replace("curve: {file: s.csv}", "points: [{at: [24 mm, 2 mm, 0.2 mm], "
+                                  "to: [10 mm, 2 mm, 12 mm]}]"), "design.yaml:5:14", "outside of the body")
+
     def test_no_field(self):
         self.refused(TEXT.replace("    field: [0 mT, 0 mT, 20 mT]\n", ""), 'no "field"')
         self.refused(TEXT.replace("20 mT", "0 mT"), "design.yaml:4:12", "a field of zero")

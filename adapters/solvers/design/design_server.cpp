@@ -208,11 +208,20 @@ void Server::sensitivity(const json& request) {
 
 void Server::locate(const json& request) const {
     const Numbers points = read_numbers(3 * request.at("points").get<std::size_t>());
+    const structure::Bounds box = structure::bounds(body_.mesh.nodes);
     Numbers out;
     for (std::size_t i = 0; i < points.size(); i += 3) {
+        const Vec3 at{points[i], points[i + 1], points[i + 2]};
+        // A block takes any point to the nearest of its own.
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double slack = 1e-3 * (box.high_m[d] - box.low_m[d]);
+            if (at[d] < box.low_m[d] - slack || at[d] > box.high_m[d] + slack)
+                throw std::invalid_argument(fmt::format(
+                    "the point ({:.6g}, {:.6g}, {:.6g}) mm, which is outside of the body",
+                    at[0] * 1e3, at[1] * 1e3, at[2] * 1e3));
+        }
         const structure::MaterialPoint found =
-            bodies::locate(scene_.bodies[number_], body_.mesh,
-                           {points[i], points[i + 1], points[i + 2]});
+            bodies::locate(scene_.bodies[number_], body_.mesh, at);
         out.insert(out.end(), found.node.begin(), found.node.end());
         out.insert(out.end(), found.weight.begin(), found.weight.end());
     }

@@ -133,7 +133,8 @@ def quantized(problem, state, count, rounds=5, parts=16):
     for _ in range(rounds):
         choice = _assigned(_by_vectors(now, at), now.residual(at, 1.0), now.unknowns.vectors(at.p),
                            few, choice.copy(), volumes, strength)
-        part = Vectors(choice, len(few), volumes, strength, problem.magnetization.axes)
+        part = Vectors(choice, len(few), volumes, strength, problem.magnetization.axes,
+                       problem.magnetization.softness)
         search = Search(Quantized(full.unknowns, part), full.poses, full.programs, full.options,
                         full.tell)
         search.share = 1.0

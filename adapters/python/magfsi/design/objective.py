@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from magfsi.design.curves import Between
+from magfsi.design.curves import Between, rotation, turn
 
 
 @dataclass
@@ -26,12 +26,22 @@ def _joined(parts):
     return Rows(np.concatenate(entries) if entries else np.zeros((0, 4)), first)
 
 
-class Points:
-    """Material points at places: a centre line on a curve, or single points."""
+def _turned(a, b, share):
+    """Between a and b as the tip of a body that bends: the angle is linear, and the length comes nearer
+    with its square. On a straight line a body would have to be shortened first."""
+    size, goal = np.linalg.norm(a), np.linalg.norm(b)
+    if min(size, goal) < 1e-9 * max(size, goal, 1e-30):
+        return (1 - share) * a + share * b
+    return rotation(share * turn(a / size, b / goal)) @ a * (1 + (goal / size - 1) * share**2)
 
-    def __init__(self, nodes, weights, goal, weight, length_m, curve):
+
+class Points:
+    """Material points at places: a centre line on a curve, or single points. pivot: a place that is
+    held, about which single points turn on their way."""
+
+    def __init__(self, nodes, weights, goal, weight, length_m, curve, pivot=None):
         self.nodes, self.weights, self.goal = nodes, weights, goal
-        self.length_m, self.curve = length_m, curve
+        self.length_m, self.curve, self.pivot = length_m, curve, pivot
         self.scale = np.sqrt(weight / len(nodes)) / length_m
         self.count, self.unit = 3 * len(nodes), self.scale * length_m
 
@@ -52,7 +62,10 @@ class Points:
     def target(self, share):
         if self._between:
             return self._between.at(share)
-        return (1 - share) * self._start + share * self.goal
+        if self.pivot is None:
+            return (1 - share) * self._start + share * self.goal
+        return np.array([self.pivot + _turned(a, b, share)
+                         for a, b in zip(self._start - self.pivot, self.goal - self.pivot)])
 
     def residual(self, x, share, _support):
         away = self.places(x) - self.target(share)

@@ -40,6 +40,12 @@ class Reach:
         """Distances from the nearest node that is held."""
         return np.linalg.norm(places[:, None] - self.rest[self.held][None], axis=2).min(axis=1)
 
+    def nearest(self, place):
+        """The place of the nearest node that is held, or None."""
+        if self.length_m is None:
+            return None
+        return self.rest[self.held[np.argmin(np.linalg.norm(self.rest[self.held] - place, axis=1))]]
+
     def check(self, mark, nodes, weights, goal):
         """Refuses places farther from everything held than the body is long."""
         if self.length_m is None:
@@ -108,7 +114,7 @@ def _term(goal, program, reach, axes, length_m):
     rest = np.einsum("pa,pad->pd", weights, program.rest[nodes])
     wanted = _in_plane(goal.to_m[None], rest, axes)
     reach.check(goal.mark, nodes, weights, wanted)
-    return Points(nodes, weights, wanted, goal.weight, length_m, curve=False)
+    return Points(nodes, weights, wanted, goal.weight, length_m, curve=False, pivot=reach.nearest(rest[0]))
 
 
 class Problem:
@@ -138,7 +144,8 @@ class Problem:
         if m.by == "region" and not program.facts["regions"]:
             m.mark.refuse("by: region for a body without regions", "by: element, or regions in the scene")
         group = groups(program, m.by, m.constant_along, m.mirror)
-        self.magnetization = Magnetization(group, m.strength, m.axes, m.smoothing_m)
+        self.magnetization = Magnetization(group, m.strength, m.axes, m.smoothing_m,
+                                           softness=0.0 if m.free == "direction" else 1.0)
         fields = [Field(p.field_t, p.free, p.largest_t, m.axes) for p in wanted.poses]
         self.unknowns = Unknowns(self.magnetization, fields, self._factors(wanted.stiffness),
                                  self._factors(wanted.thickness))

@@ -60,6 +60,7 @@ class Search:
         self.prior = self.options.prior
         self.began = time.monotonic()
         self.latest, self.each_stage = None, lambda state: None
+        self.first = unknowns.start()  # the weight is of what differs from it
         # Poses that share a process take turns; the others run at the same time.
         self._turns = {}
         for i, program in enumerate(programs):
@@ -126,13 +127,14 @@ class Search:
     # --- steps ---
 
     def _cost(self, r, p):
-        return r @ r + self.prior * (p @ p)
+        away = p - self.first
+        return r @ r + self.prior * (away @ away)
 
     def _direction(self, j, gram, r, p, damping):
-        """Minimum of |r + J d|^2 + prior |p + d|^2 + damping |d|^2."""
+        """Minimum of |r + J d|^2 + prior |p + d - first|^2 + damping |d|^2."""
         prior = self.prior
         total = prior + damping
-        slope = j.T @ r + prior * p
+        slope = j.T @ r + prior * (p - self.first)
         if gram is not None:  # fewer residuals than unknowns
             inner = gram + total * np.eye(len(gram))
             d = -(slope - j.T @ np.linalg.solve(inner, j @ slope)) / total
@@ -211,25 +213,6 @@ class Search:
             step = min(0.25, step * (1.5 if iterations <= 2 else 1.0 if iterations < 4 else 0.7))
             self.damping = min(self.damping, 1e-2)
         return self.final(state)
-
-    def strengthen(self, state):
-        """From magnetisations up to a strength to ones of that strength, of which the directions are
-        free: the softness of the map goes to zero in steps, each corrected. Ends with the last one
-        that could be followed."""
-        part = self.unknowns.magnetization
-        for softness in (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.02):
-            if softness >= part.softness:
-                continue  # when a search goes on
-            before, kept = self.unknowns.designs(state.p), part.softness
-            part.softness = softness
-            after = self.unknowns.designs(state.p)
-            found = self._each(lambda i: self.programs[i].move(state.x[i], before[i], after[i], 5))
-            if not all(one.reached for one in found):
-                part.softness = kept
-                break
-            x = [one.x for one in found]
-            state = self.final(State(state.p, x, self._each(lambda i: self._support(i, x[i], after[i]))))
-        return state
 
     def final(self, state):
         """Iterates on the wanted goal until it is met, or nothing is gained any more."""

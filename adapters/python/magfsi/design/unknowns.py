@@ -75,6 +75,17 @@ class Magnetization:
         self._root = np.sqrt(np.repeat(share, len(self.axes)))
         self.size = group.count * len(self.axes)
 
+    def start(self, fields):
+        """No magnetisation; where its strength is given, along the fields, which turn nothing then, or
+        across them if they cancel."""
+        if self.softness > 0:
+            return np.zeros(self.size)
+        ways = np.array([f[self.axes] / max(np.linalg.norm(f), 1e-30) for f in fields])
+        way = ways.mean(axis=0)
+        if np.linalg.norm(way) < 0.1:
+            way = np.eye(len(self.axes))[np.argmin(np.abs(ways[0]))]
+        return self.unknowns_of(np.tile(way / np.linalg.norm(way), (self.group.count, 1)))
+
     def _q(self, unknowns):
         q = (unknowns / self._root).reshape(-1, len(self.axes))
         return self.filter @ q if self.filter is not None else q
@@ -118,6 +129,9 @@ class Vectors:
 
     def _q(self, unknowns):
         return (unknowns / self._root).reshape(-1, len(self.axes))
+
+    def start(self, _fields):
+        return np.zeros(self.size)
 
     def unknowns_of(self, vectors):
         """Of vectors (count, 3) [A/m] within the strength."""
@@ -215,8 +229,9 @@ class Unknowns:
         self.size = int(ends[-1])
 
     def start(self):
-        return np.concatenate([np.zeros(self.magnetization.size), self.stiffness.start(),
-                               self.thickness.start(), *(f.start() for f in self.fields)])
+        return np.concatenate([self.magnetization.start([f.given for f in self.fields]),
+                               self.stiffness.start(), self.thickness.start(),
+                               *(f.start() for f in self.fields)])
 
     def part(self, p, which=0):
         return p[self._parts[which]]

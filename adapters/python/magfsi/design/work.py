@@ -92,7 +92,7 @@ class Keeper:
         data = io.BytesIO()
         starts = [s for pose in search.poses for t in pose.terms for s in [t.start_state()]]
         np.savez(data, key=np.array(self.key), p=state.p, share=search.share, damping=search.damping,
-                 prior=search.prior, softness=search.unknowns.magnetization.softness,
+                 prior=search.prior,
                  seconds=time.monotonic() - search.began,
                  history=np.array([[s.share, s.rms, s.damping, s.trials, s.lost, s.seconds]
                                    for s in search.history]).reshape(-1, 6),
@@ -111,7 +111,6 @@ class Keeper:
                 return None
             search.share, search.damping = float(data["share"]), float(data["damping"])
             search.prior = float(data["prior"])
-            search.unknowns.magnetization.softness = float(data["softness"])
             search.began -= float(data["seconds"])
             search.history = [Step(*row[:3], int(row[3]), int(row[4]), row[5]) for row in data["history"]]
             for i, term in enumerate(t for pose in search.poses for t in pose.terms):
@@ -190,8 +189,6 @@ def design(wanted, out, quantize=None, overwrite=False, shown=False, options=Non
             search.each_stage = lambda s: keeper.save(search, s)
             try:
                 state = search.stages(state)
-                if wanted.magnetization.free == "direction":
-                    state = search.strengthen(state)
             finally:
                 if search.latest is not None:
                     keeper.save(search, search.latest, force=True)
