@@ -14,9 +14,10 @@ namespace magfsi::launch {
 // The system's Python, which has Debian's packages.
 constexpr const char* python = "/usr/bin/python3";
 
-// Requires the Python packages that a scene with `control` needs, mpi4py and magfsi, and
-// refuses a script whose text cannot run. The script is not run.
-void check_controller(const scene::Scene& scene);
+// Requires the Python packages that a scene with `control` needs: mpi4py and magfsi.
+void need_controller();
+// Refuses the script of `control` if its text cannot run. The script is not run.
+void check_controller(const scene::Control& control);
 
 // Refuses bodies that overlap at the start, themselves, each other, obstacles or sides,
 // unless the scene allows overlaps or a body starts in a shape that only the run finds.

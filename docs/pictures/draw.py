@@ -19,9 +19,9 @@ HIDDEN = "bars,field,scale,time"
 # Which instant, as a share of the run, and what differs from render's own choices.
 PICTURES = {
     "beam": (0.3, []), "catheter": (0.75, []), "cilia": (0.3, []), "gait": (0.75, ["--zoom", "0.6"]),
-    "gravity": (1, []), "gripper": (0.7, ["--zoom", "1.4"]), "helix": (0.8, []), "origami": (1, []),
-    "steering": (0.75, ["--zoom", "1.5"]), "strip": (1, []), "swimmer": (0.9, ["--zoom", "0.7"]),
-    "tank": (0.9, []), "turning": (0.5, []),
+    "gravity": (1, []), "gripper": (0.7, ["--zoom", "1.4"]), "helix": (0.8, []), "letter": (0.4, []),
+    "origami": (1, []), "steering": (0.75, ["--zoom", "1.5"]), "strip": (1, []),
+    "swimmer": (0.9, ["--zoom", "0.7"]), "tank": (0.9, []), "turning": (0.5, []),
 }
 
 

@@ -146,6 +146,13 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice,
             held_along_[d] = held_along_[d] || node[d];
         }
     }
+    magnetize_surroundings();
+    if (surroundings_.platform)
+        surface_m2_ = surface_areas(body_.mesh.nodes, body_.mesh.elements);
+    measure_stiffness();
+}
+
+void StaticProblem::magnetize_surroundings() {
     if (surroundings_.gradient) {
         gradient_elements_ = gradient_elements(body_.mesh.nodes, body_.mesh.elements,
                                                body_.magnetization_a_m);
@@ -158,9 +165,21 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice,
         turned_ = turned_elements(body_.mesh.nodes, body_.mesh.elements,
                                   body_.magnetization_a_m);
     }
-    if (surroundings_.platform)
-        surface_m2_ = surface_areas(body_.mesh.nodes, body_.mesh.elements);
-    measure_stiffness();
+}
+
+void StaticProblem::set_magnetization(const std::vector<Vec3>& magnetization_a_m) {
+    const auto& elements = body_.mesh.elements;
+    if (magnetization_a_m.size() != elements.size())
+        refuse("body {}: {} magnetisation vectors found for {} elements", body_.name,
+               magnetization_a_m.size(), elements.size());
+    body_.magnetization_a_m = magnetization_a_m;
+    std::ranges::fill(charge_, 0.0);
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const Eigen::Vector3d m(magnetization_a_m[e].data());
+        const Eigen::Matrix<double, 8, 1> part = references_[e].gradient * m;
+        for (int a = 0; a < 8; ++a) charge_[elements[e][a]] += part[a];
+    }
+    magnetize_surroundings();
 }
 
 void StaticProblem::measure_stiffness() {
@@ -352,24 +371,32 @@ void StaticProblem::assemble(const Eigen::VectorXd& x, const NodalLoads& loads) 
     add_surroundings(x, loads);
 }
 
-// The platform's stiffness is that of the nodes in touch at x.
-void StaticProblem::add_surroundings(const Eigen::VectorXd& x, const NodalLoads& loads) {
-    for (std::size_t e = 0; loads.gradient != 0 && e < references_.size(); ++e) {
-        const Matrix8& coupling = gradient_elements_[e].coupling;
-        Matrix24 tangent;
+Matrix24 StaticProblem::field_tangent(std::size_t element, const Eigen::VectorXd& x,
+                                      const NodalLoads& loads,
+                                      std::span<const FieldSample> at) const {
+    Matrix24 out = Matrix24::Zero();
+    if (loads.gradient != 0) {
+        const Matrix8& coupling = gradient_elements_[element].coupling;
         for (int a = 0; a < 8; ++a) {
             for (int b = 0; b < 8; ++b)
-                tangent.block<3, 3>(3 * a, 3 * b) = -loads.gradient * coupling(a, b) *
-                                                    surroundings_.gradient->tesla_per_m();
+                out.block<3, 3>(3 * a, 3 * b) = -loads.gradient * coupling(a, b) *
+                                                surroundings_.gradient->tesla_per_m();
         }
-        matrix_.add_element(e, tangent);
     }
-    if (loads.sources != 0) {
-        const std::vector<FieldSample> at = samples(x, loads.sources_s);
+    if (loads.sources != 0)
+        out += loads.sources * source_tangent(moments_[element],
+                                              body_.mesh.elements[element], at,
+                                              *surroundings_.sources, x.data());
+    return out;
+}
+
+// The platform's stiffness is that of the nodes in touch at x.
+void StaticProblem::add_surroundings(const Eigen::VectorXd& x, const NodalLoads& loads) {
+    if (loads.gradient != 0 || loads.sources != 0) {
+        std::vector<FieldSample> at;
+        if (loads.sources != 0) at = samples(x, loads.sources_s);
         for (std::size_t e = 0; e < references_.size(); ++e)
-            matrix_.add_element(
-                e, loads.sources * source_tangent(moments_[e], body_.mesh.elements[e], at,
-                                                  *surroundings_.sources, x.data()));
+            matrix_.add_element(e, field_tangent(e, x, loads, at));
     }
     for (std::size_t e = 0; !loads.turning_t.isZero(0) && e < turned_.size(); ++e) {
         matrix_.add_element(

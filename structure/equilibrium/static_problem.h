@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "structure/body.h"
@@ -145,6 +146,27 @@ class StaticProblem {
     // Adds the second derivative of the energies of gradient, sources and platform.
     void add_surroundings(const Eigen::VectorXd& x, const NodalLoads& loads);
 
+    // --- for designs (design/design_derivatives.cpp) ---
+
+    // Replaces the magnetisation [A/m]. Throws std::invalid_argument unless there is one
+    // vector per element.
+    void set_magnetization(const std::vector<Vec3>& magnetization_a_m);
+    // Sum of all forces but those of supports [N].
+    Eigen::VectorXd force_n(const Eigen::VectorXd& x, const NodalLoads& loads) const;
+    using Values24 = Eigen::Matrix<double, 24, 1>;
+    using Forces24 = Eigen::Matrix<double, 24, 3>;
+    // Product of a vector with the tangent at x, in which nothing is held.
+    Eigen::VectorXd tangent_times(const Eigen::VectorXd& x, const NodalLoads& loads,
+                                  const Eigen::VectorXd& v) const;
+    // For each element the forces on its nodes by a magnetisation of 1 A/m along x, y and
+    // z [N per A/m]. All magnetic forces are linear in the magnetisation.
+    std::vector<Forces24> forces_by_magnetization(const Eigen::VectorXd& x,
+                                                  const StaticLoads& loads) const;
+    // Forces by uniform fields of 1 T along x, y and z, one column each [N/T].
+    Eigen::MatrixXd forces_by_field() const;
+    // Elastic forces of an element on its nodes [N].
+    Values24 elastic_force_n(std::size_t element, const Eigen::VectorXd& x) const;
+
     // G h^2 / L^4 with h and L the shortest and longest side and G of the softest
     // material: about a hundredth of the stiffness [Pa/m2] of the lowest bending mode.
     double bending_stiffness_scale() const { return bending_scale_; }
@@ -166,6 +188,8 @@ class StaticProblem {
   private:
     StaticProblem(const Body& body, const Lattice& lattice, Surroundings surroundings);
     void measure_stiffness();
+    // Sets what gradient and sources take of the magnetisation.
+    void magnetize_surroundings();
     // Adds the elastic forces; returns energy and smallest J.
     KernelResult add_internal(const Eigen::VectorXd& x, Eigen::VectorXd& force_n) const;
     // Add the forces of gradient and sources; return their energies [J].
@@ -179,6 +203,14 @@ class StaticProblem {
                        Eigen::VectorXd& force_n) const;
     // Field of the sources at each node at a time; sets the sources' time.
     std::vector<FieldSample> samples(const Eigen::VectorXd& x, double time_s) const;
+    // Tangent of an element in gradient and sources. at: samples() if sources act.
+    Matrix24 field_tangent(std::size_t element, const Eigen::VectorXd& x,
+                           const NodalLoads& loads,
+                           std::span<const FieldSample> at) const;
+    // Adds to forces_by_magnetization those of gradient and sources.
+    void add_position_forces(std::size_t element, const Eigen::VectorXd& x,
+                             const StaticLoads& loads, std::span<const FieldSample> at,
+                             Forces24& out) const;
     // Adds the forces of the platform; returns their energy [J].
     double add_platform(const Eigen::VectorXd& x, Eigen::VectorXd& force_n) const;
     // Depth of a node behind the platform's plane [m], negative in front of it.

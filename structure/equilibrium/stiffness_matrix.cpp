@@ -172,6 +172,14 @@ Eigen::VectorXd StiffnessMatrix::solve(Eigen::VectorXd right_side) const {
     return factor_.solve(right_side);
 }
 
+Eigen::MatrixXd StiffnessMatrix::solve_all(Eigen::MatrixXd right_sides) const {
+    for (Eigen::Index q = 0; q < right_sides.rows(); ++q) {
+        if (held_[q / 3][q % 3]) right_sides.row(q).setZero();
+    }
+    const OneThread one_thread;
+    return factor_.solve(right_sides);
+}
+
 int StiffnessMatrix::negative_eigenvalues() {
     if (factorize()) return 0;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor;

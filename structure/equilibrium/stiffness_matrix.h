@@ -40,6 +40,8 @@ class StiffnessMatrix {
     bool factorize();
     // Solution for a right side after factorize(); zero at held coordinates.
     Eigen::VectorXd solve(Eigen::VectorXd right_side) const;
+    // The same for each column.
+    Eigen::MatrixXd solve_all(Eigen::MatrixXd right_sides) const;
     // Number of negative eigenvalues by the signs of the pivots of L D L^T (Sylvester's
     // law of inertia). It takes several times as long as L L^T and is done only if L L^T
     // fails.

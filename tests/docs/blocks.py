@@ -37,7 +37,7 @@ ELSEWHERE = {("docs/python.md", "python"): "python_api"}
 # What other tests run, by their names; here the options are looked at.
 WHOLE = {"python": "documentation_figures", "bench": "documentation_figures",
          "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing", "cite": "launcher_words",
-         "compare": "compare_both_fluids"}
+         "compare": "compare_both_fluids", "design": "design_letter"}
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)
 

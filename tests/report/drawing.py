@@ -97,7 +97,8 @@ class Pictures(unittest.TestCase):
 BRIEF = {"beam": {}, "catheter": {"time.end": "5 ms", "output.structure.every": "5 ms"},
          "cilia": {"time.end": "40 ms", "output.structure.every": "20 ms"}, "gait": {"time.end": "1.6 ms"},
          "gravity": {"time.end": "1 s"}, "gripper": {"time.end": "2 ms", "output.structure.every": "2 ms"},
-         "helix": {"time.end": "10 ms", "output.structure.every": "10 ms"}, "origami": {"time.end": "250 ms"},
+         "helix": {"time.end": "10 ms", "output.structure.every": "10 ms"}, "letter": {"time.end": "1 s"},
+         "origami": {"time.end": "250 ms"},
          "steering": {"time.end": "10 ms"}, "strip": {"time.end": "250 ms"}, "swimmer": {"time.end": "2 ms"},
          "tank": {"time.end": "1 ms"}, "turning": {"time.end": "1 s"}}
 

@@ -32,6 +32,7 @@ study|module|a scene over a product of settings: error against seconds
 witness|module|a run's plane flow again by OpenFOAM on a mesh fitted to the body: agreement with bars
 optimize|module|the best settings of a scene for an objective
 fit-material|module|elastic constants and Maxwell branches from measured curves, as YAML with a plot
+design|module|the magnetisation that gives the shapes that are wanted
 =other programs
 lammps|own|LAMMPS with the magttice's styles, for plain input scripts
 lattice|program|bodies of a scene as files for such scripts; of a lattice file, a mesh for a scene
@@ -186,6 +187,15 @@ existing_scene() {
     if [[ $1 == tutorials/* && ! -e $1 && -e $share/$1 ]]; then echo "$share/$1"; else echo "$1"; fi
 }
 
+# is_design FILE ...: whether the first of them that is a file is one of designs, whose top level has poses.
+is_design() {
+    local word
+    for word in "$@"; do
+        [ ! -f "$word" ] || { grep -qs '^poses *:' "$word"; return; }
+    done
+    return 1
+}
+
 dispatch() {
     local word=${1:-} argument arguments=()
     case "$word" in
@@ -206,6 +216,10 @@ dispatch() {
     esac
     for argument in "$@"; do arguments+=("$(existing_scene "$argument")"); done
     set -- ${arguments[@]+"${arguments[@]}"}
+    # A design file has its own check and explanation.
+    case "$word" in
+        check | explain) ! is_design "$@" || exec $python -P -m magfsi.design "$@" "--$word" ;;
+    esac
     # A page when the run has ended; only for a person's run, not for tests and searches.
     [ "$word" != run ] || export MAGFSI_PAGE=${MAGFSI_PAGE:-yes}
     case "$(kind_of "$word")" in

@@ -10,8 +10,9 @@
 
 `help(magfsi.api)` has the rest. The launcher and CTest put the package on PYTHONPATH. Modules that
 tests need take the standard library only."""
+from magfsi import design
 from magfsi.api import (Diverged, Error, Fields, Job, PartnerLost, Run, Scene, SceneError, load, run,
                         start)
 
 __all__ = ["Diverged", "Error", "Fields", "Job", "PartnerLost", "Run", "Scene", "SceneError",
-           "load", "run", "start"]
+           "design", "load", "run", "start"]
