@@ -51,6 +51,7 @@ void check_columns(const scene::Scene& scene, const bodies::Solids& solids) {
 std::string explain_control(const scene::Scene& scene, const bodies::Solids& solids) {
     check_columns(scene, solids);
     const scene::Control& control = *scene.control;
+    check_controller(control);
     return fmt::format(
         "\ncontrol\n  {}, a program that runs with your rights, sets the field every "
         "{:.4g} ms{}{}\n",

@@ -11,7 +11,6 @@
 #include "adapters/app/explain.h"
 #include "adapters/app/lattice.h"
 #include "adapters/app/run.h"
-#include "adapters/app/run_checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/fault.h"
 #include "adapters/scene/reader.h"
@@ -67,7 +66,6 @@ int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
     const auto solids = bodies::to_bodies(scene);
     const std::string explained = launch::explain(scene, solids);
-    if (scene.control) launch::check_controller(scene);
     for (const std::string& line : launch::surfaces(explained)) fmt::print("{}\n", line);
     for (const std::string& line : launch::warnings(explained))
         fmt::print("warning: {}\n", line);

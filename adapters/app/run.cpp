@@ -332,7 +332,7 @@ int run(RunOptions options) {
     const fs::path out = run_folder(scene, options);
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, run_plan(scene, true));
-    if (scene.control) check_controller(scene);
+    if (scene.control) need_controller();
     need_stack();
     pass_on_signals();
     // Before there is a second thread, which may read the environment.

@@ -21,13 +21,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What is wrong in the text of a controller's script; "" if nothing is. The shell takes
-// the name in quotes, of which those within it are taken out.
+// What is wrong in the text of a controller's script; "" if nothing is, or if the package
+// magfsi is not there. The shell takes the name in quotes, of which those within it are
+// taken out.
 std::string fault_in(const std::string& script) {
     std::string quoted;
     for (const char c : script) quoted += c == '\'' ? "'\\''" : std::string(1, c);
     const std::string command =
-        fmt::format("{} -P -m magfsi.controller '{}'", python, quoted);
+        fmt::format("{} -P -m magfsi.controller '{}' 2>/dev/null", python, quoted);
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"),
                                                      &pclose);
     std::string text;
@@ -40,7 +41,7 @@ std::string fault_in(const std::string& script) {
 
 // Imports are tried in a new interpreter. -P keeps the current folder, whose files may be
 // a stranger's, off Python's path.
-void check_controller(const scene::Scene& scene) {
+void need_controller() {
     const auto imports = [](const std::string& package) {
         const std::string command =
             fmt::format("{} -P -c 'import {}' 2>/dev/null", python, package);
@@ -53,8 +54,6 @@ void check_controller(const scene::Scene& scene) {
     if (!imports("magfsi.controller"))
         throw std::invalid_argument(
             "control: needs the launcher ./magfsi, which knows the Python package");
-    const std::string fault = fault_in(scene.control->script);
-    if (!fault.empty()) throw std::invalid_argument("control.script: found " + fault);
 }
 
 // Only the command line may name the program: a scene from a stranger must not start one.
@@ -87,6 +86,11 @@ void check_default_out(const scene::Scene& scene, const fs::path& out) {
                             "the run folder with --out",
                             path.string(), fs::read_symlink(path).string()));
     }
+}
+
+void check_controller(const scene::Control& control) {
+    const std::string fault = fault_in(control.script);
+    if (!fault.empty()) throw std::invalid_argument("control.script: found " + fault);
 }
 
 void check_overlap_at_start(const scene::Scene& scene, const bodies::Solids& solids) {

@@ -47,7 +47,7 @@ class Fails(unittest.TestCase):
                   "within 1 s", "line 4 in step", timeout="1 s")
 
     def test_hangs_where_it_begins(self):
-        self.ends("import time\ntime.sleep(1000)", "no start of the controller within 1 s",
+        self.ends("import time\ntime.sleep(1000)\nController = None", "no start of the controller within 1 s",
                   "steer.py\", line 2 in <module>", timeout="1 s")
 
     def test_returns_nonsense(self):
@@ -68,8 +68,14 @@ class Fails(unittest.TestCase):
                 self.ends(of(f"return {answer}"), *words)
 
     def test_is_no_controller(self):
-        self.ends("class Controler:\n    pass", "steer.py: no class Controller with a method step")
-        self.ends("def Controller(:", "SyntaxError: invalid syntax", "steer.py\", line 1")
+        self.ends("Controller = 1", "steer.py: no class Controller with a method step")
+        # What the text alone shows is bad input, and nothing is written.
+        for text, words in (("class Controler:\n    pass", "steer.py: no class Controller with a method step"),
+                            ("def Controller(:", "steer.py:1: invalid syntax")):
+            run = testing.run(EVERY, with_control(LONG, text))
+            self.assertEqual(run.code, 2, run.err)
+            self.assertIn(words, run.err)
+            self.assertFalse(run.folder.exists())
         self.ends("import nothing_of_that_name", "ModuleNotFoundError: No module named")
 
     def test_cannot_be_kept(self):

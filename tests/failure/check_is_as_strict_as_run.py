@@ -139,8 +139,8 @@ IN_A_FLUID = {
                                     "whose centre line has 3 points"),
     "a shape of cubes": ({"bodies.robot.mesh": "{voxels: {file: CUBE, unit: 1 mm, spacing: 0.25 mm}}",
                           "probes.points": "null"}, "whose centre line has 0 points"),
-    "a shape of a ring": ({"bodies.robot.mesh": "{arc: {inner_radius: 1 mm, outer_radius: 1.4 mm, width: 0.4 mm, "
-                           "angle: 360 deg, elements: [16, 2, 2]}}", "probes.points": "null"}, "closed"),
+    "a shape of a ring": ({"bodies.robot.mesh": "{arc: {radius: 0.8 mm, angle: 360 deg, "
+                           "section: [0.4 mm, 0.3 mm], elements: [16, 2, 2]}}", "probes.points": "null"}, "closed"),
     "two bodies in one place": ({"bodies.second": PLATE}, "passes through"),
     "two bodies in one place with contact": ({"bodies.second": PLATE, "contact": "{}"}, "passes through"),
     "a patch around a part of the body": ({"fluid.refinement": "{levels: 1, box: [[3 mm, 1 mm, 3 mm], "

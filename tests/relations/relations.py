@@ -112,6 +112,31 @@ class Frame:
     def magnetization(self, vector):
         return [f"{v * math.sqrt(self.pressure)!r} kA/m" for v in self.axial(vector)]
 
+    def per_s(self, value):
+        return f"{value / self.time!r} 1/s"
+
+    def pa_s(self, value):
+        return f"{value * self.pressure * self.time!r} Pa s"
+
+    def acceleration(self, value):
+        return f"{value * self.length / self.time**2!r} m/s2"
+
+    def force_density(self, vector):
+        return [f"{v * self.pressure / self.length!r} N/m3" for v in self.direction(vector)]
+
+    def moment(self, vector):
+        factor = math.sqrt(self.pressure) * self.length**3
+        return [f"{v * factor!r} A m2" for v in self.axial(vector)]
+
+    def gradient(self, rows):
+        """dB_i / dx_j: an axial vector by a vector."""
+        there = [[0] * 3 for _ in range(3)]
+        for i, (a, sa) in enumerate(self.to):
+            for j, (b, sb) in enumerate(self.to):
+                there[a][b] = self.turn * sa * sb * rows[i][j]
+        factor = math.sqrt(self.pressure) / self.length
+        return [[f"{v * factor!r} T/m" for v in row] for row in there]
+
     def back(self, columns, planes):
         """Columns of probes, in the scene's own axes; planes: axis of each plane."""
         found = {}
@@ -157,14 +182,17 @@ def fluid(f, spacing, viscosity, speed, sides=None, **more):
 
 
 def scene(f, end, every, **effects):
-    probes = {"every": f.s(every),
-              "fluid": ["kinetic_energy", "enstrophy", "mass", "momentum", "max_speed"]}
+    probes = {"every": f.s(every)}
+    if "fluid" in effects:
+        probes["fluid"] = ["kinetic_energy", "enstrophy", "mass", "momentum", "max_speed"]
     if "bodies" in effects:
-        probes["bodies"] = ["com", "speed", "max_displacement", "fluid_force", "fluid_torque", "energy"]
+        probes["bodies"] = ["com", "speed", "max_displacement", "energy"]
+        if "fluid" in effects:
+            probes["bodies"] += ["fluid_force", "fluid_torque"]
         if any("prescribed_motion" in body for body in effects["bodies"].values()):
             probes["bodies"].append("reaction_force")
-        probes["interface_balance"] = True
-    if "obstacles" in effects["fluid"]:
+        probes["interface_balance"] = "fluid" in effects
+    if "obstacles" in effects.get("fluid", {}):
         probes["fluid"].append("obstacle_force")
     probes.update(effects.pop("probes", {}))
     return {"time": {"end": f.s(end)}, "probes": probes, "report": "off", **effects}
@@ -290,7 +318,8 @@ def inlet(shape, profile):
     return Scene((5, 5, 5), 0.5, "", make, {"pl1": "x", "pl2": "z"})
 
 
-SCENES = {
+SCENES = {}
+OF_FLUIDS_AND_BODIES = {
     # A patch of two coarse cells along each axis, with corners inside of cells and on borders.
     "thin_patch": lid(([2.6, 2.1, 2.6], [4.4, 3.4, 3.4])),
     "patch_on_borders": lid(([2.5, 2, 2], [4.5, 3.5, 3])),
@@ -310,7 +339,12 @@ TURNS = {"turned, x to y": [(1, 1), (0, -1), (2, 1)], "turned, x to y to z": [(1
 def relations(one):
     """Frames by what they are called."""
     frames = {name: Frame(one.size, to) for name, to in (MIRRORS | TURNS).items()}
-    for axes in one.periodic and ["x", "y", "z", "xy", "xz", "yz", "xyz"]:
+    if one.periodic:
+        shift = [one.spacing * (3 + i) if AXES[i] in one.periodic else 0 for i in range(3)]
+        frames["shifted by some cells"] = Frame(one.size, shift=shift)
+    for axes in ["x", "y", "z", "xy", "xz", "yz", "xyz"]:
+        if not set(axes) <= set(one.periodic):
+            continue
         shift = [one.spacing * round(one.size[i] / one.spacing / 2) if AXES[i] in axes else 0
                  for i in range(3)]
         frames[f"shifted by half a box along {axes}"] = Frame(one.size, shift=shift)
@@ -329,7 +363,7 @@ def columns_of(name, frame):
     return frame.back(testing.good_run(written(name, frame)).probes(), SCENES[name].planes)
 
 
-class Relations(unittest.TestCase):
+class Compared(unittest.TestCase):
     def compare(self, name, relation, expected, found, bound=BOUND):
         worst, column = testing.worst_difference(expected, found)
         testing.report(f"{name} {relation}: {worst:.1e} in {column}")
@@ -357,7 +391,8 @@ def split(name):
         whole = testing.good_run(scene_file)
         half = {"time.end": f"{end_ms / 2} ms", "checkpoint.every": f"{end_ms / 2} ms"}
         before = testing.good_run(scene_file, half)
-        ranks = "structure=2,fluid=2" if "bodies" in content else "fluid=2"
+        ranks = ",".join(f"{role}=2" for role, key in (("structure", "bodies"), ("fluid", "fluid"))
+                         if key in content)
         after = testing.good_run(scene_file, {"checkpoint.every": f"{end_ms / 2} ms"}, ranks,
                                  folder=before.folder, restart="latest")
         self.compare(name, "split, on other ranks", whole.probes(), after.probes())
@@ -382,9 +417,18 @@ def scaled(name):
     return test
 
 
-for _name in SCENES:
-    for _test in (moved, split, scaled):
-        setattr(Relations, f"test_{_name}_{_test.__name__}", _test(_name))
+def add_tests(cases, scenes):
+    """To a class of test cases: each relation of each scene."""
+    SCENES.update(scenes)
+    for name in scenes:
+        for test in (moved, split, scaled):
+            setattr(cases, f"test_{name}_{test.__name__}", test(name))
+
+
+class Relations(Compared):
+    pass
+
 
 if __name__ == "__main__":
+    add_tests(Relations, OF_FLUIDS_AND_BODIES)
     testing.main()

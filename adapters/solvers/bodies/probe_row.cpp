@@ -120,9 +120,8 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
     : start_m_(start.position_m) {
     if (!scene.probes) return;
     // Sources alone have no uniform part, unless a controller adds one.
-    if (scene.magnetic_field &&
-        (scene.magnetic_field->uniform || !scene.magnetic_field->plus.empty() ||
-         scene.control)) {
+    if (scene.magnetic_field && (scene.magnetic_field->uniform ||
+                                 !scene.magnetic_field->plus.empty() || scene.control)) {
         field_ = *scene.magnetic_field;
         groups_.push_back({{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]"},
                            [this](const ProbeSample& sample, Row& row) {

@@ -130,7 +130,8 @@ void refuse_unknown(const scene::Body& body) {
             "bodies.{}.rigid: found rigid parts; a design needs a body that is soft all "
             "over: remove this key, or take a stiff material",
             body.name));
-    if (body.follows == structure::MagnetizationFollows::rotation)
+    if (body.magnetization &&
+        body.magnetization->follows == structure::MagnetizationFollows::rotation)
         throw std::invalid_argument(fmt::format(
             "bodies.{}.magnetization.follows: found rotation; a design needs the "
             "default, deformation",
