@@ -75,7 +75,7 @@ class Fails(unittest.TestCase):
             run = testing.run(EVERY, with_control(LONG, text))
             self.assertEqual(run.code, 2, run.err)
             self.assertIn(words, run.err)
-            self.assertFalse(run.folder.exists())
+            self.assertFalse((run.folder / "run.json").exists())
         self.ends("import nothing_of_that_name", "ModuleNotFoundError: No module named")
 
     def test_cannot_be_kept(self):

@@ -28,14 +28,15 @@ def land(f):
 
 
 def rigid(f):
-    """A rigid brick sinks beside a soft one, in a fluid that is driven."""
+    """A rigid brick sinks beside a soft one, in a fluid that is driven: rounding is that of its density,
+    beside which slow flows are small."""
     brick = block(f, [1.5, 1.2, 0.8], [4, 3, 2], [2.9, 4.1, 5], (20, -30, 50), tilt=("zx", 20))
     brick["rigid"] = True
     return scene(
         f, 2, 0.5, bodies={"brick": brick, "soft": block(f, [1, 0.8, 0.6], [4, 3, 3], [5.5, 4, 3])},
         gravity={"acceleration": f.acceleration(9.81), "direction": f.direction([0, 0.6, -0.8])},
         magnetic_field={"vector": f.field([2, 5, 12])},
-        fluid=fluid(f, 0.5, 2, 1, body_force=f.force_density([300, -100, 200])))
+        fluid=fluid(f, 0.5, 2, 1, body_force=f.force_density([270000, -90000, 180000])))
 
 
 def thinning(f):
