@@ -76,7 +76,7 @@ class Fails(unittest.TestCase):
             self.assertEqual(run.code, 2, run.err)
             self.assertIn(words, run.err)
             self.assertFalse((run.folder / "run.json").exists())
-        self.ends("import nothing_of_that_name", "ModuleNotFoundError: No module named")
+        self.ends("from nothing_of_that_name import Controller", "ModuleNotFoundError: No module named")
 
     def test_cannot_be_kept(self):
         """Known at once, not at the first checkpoint."""

@@ -36,10 +36,17 @@ class Refused(unittest.TestCase):
                 self.assertFalse((folder / "out").exists())
 
     def test_a_body_that_leaves_a_patch_that_stays(self):
+        """Begun outside of it, it is refused; driven out of it, the run ends."""
+        words = "come to the sides of the refined patch"
+        outside = {"fluid.refinement": "{box: [[3 mm, 1 mm, 3.3 mm], [8 mm, 3 mm, 5 mm]]}"}
+        testing.check_refused(self, testing.run(testing.SMALL, outside), words)
         run = testing.run(testing.SMALL, {
-            "fluid.refinement": "{box: [[3 mm, 1 mm, 3.3 mm], [8 mm, 3 mm, 5 mm]]}"})
+            "fluid.refinement": "{box: [[1 mm, 0.5 mm, 2.5 mm], [7 mm, 3.5 mm, 5.5 mm]]}",
+            "magnetic_field": "null", "bodies.robot.magnetization": "null",
+            "bodies.robot.prescribed_motion": "[{face: [x_min, x_max], ramp: {displacement: "
+                                              "[0 m, 0 m, -1.3 mm], duration: 4 ms}}]"})
         self.assertEqual(run.code, 3, run.err)
-        self.assertIn("come to the sides of the refined patch", run.err)
+        self.assertIn(words, run.err)
 
     def test_an_interval_that_is_no_whole_step_is_warned_of(self):
         scene = [runs.BIN / "magfsi", "check", testing.SMALL, "--set", "fluid.refinement.levels=3",
