@@ -128,7 +128,6 @@ constexpr Most beyond[] = {
     {"A m2", 1e5},  // a ton of magnets
     {"m/s2", 1e6},  // a fast centrifuge
     {"1/s", 1e9},   // rates of strain beyond any fluid's
-    {"N/m3", 1e9},  // ten thousand times the weight of lead
     {"m2/s", 1e3},  // a thousand million times water
     {"Pa", 1e13, 'k'}, {"kg/m3", 1e5, 'k'}, {"m/s", 1e4}, {"kg", 1e6}, {"N", 1e6},
 };
