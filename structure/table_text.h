@@ -27,6 +27,25 @@ inline std::string lower(std::string_view text) {
     return out;
 }
 
+// True for the name of a unit such as "millimetres", "Tesla" or "inches". The whole word
+// must be one: "parameter" is none.
+inline bool names_a_unit(std::string_view word) {
+    constexpr std::string_view prefixes[] = {"",      "nano", "micro", "milli",
+                                             "centi", "deci", "kilo",  "mega"};
+    constexpr std::string_view names[] = {"metre",  "meter",  "tesla", "gauss", "ampere",
+                                          "pascal", "newton", "inch",  "foot",  "feet"};
+    const std::string text = lower(word);
+    return std::ranges::any_of(prefixes, [&](std::string_view prefix) {
+        return text.starts_with(prefix) &&
+               std::ranges::any_of(names, [&](std::string_view name) {
+                   const auto rest = std::string_view(text).substr(prefix.size());
+                   return rest.starts_with(name) && (rest.size() == name.size() ||
+                                                     rest.substr(name.size()) == "s" ||
+                                                     rest.substr(name.size()) == "es");
+               });
+    });
+}
+
 // Name of a column for comparison, without case and underscores: "B_x" and "BX" are the
 // same as "Bx", "Time" the same as "t".
 inline std::string simple(std::string_view name) {

@@ -20,7 +20,8 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& solids,
 
 // Lines of the explanation that begin with "warning: ", without that prefix.
 std::vector<std::string> warnings(const std::string& explanation);
-// Its lines on surfaces from files: triangles, parts, extent, volume.
+// The explanation has a line for each surface from a file: triangles, parts, extent,
+// volume. This returns them.
 std::vector<std::string> surfaces(const std::string& explanation);
 
 // JSON object for programs: name, scene_hash (as in summary.json), version, machine,

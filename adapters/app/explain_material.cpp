@@ -48,7 +48,8 @@ std::string explain_stiffening(const structure::Material& material) {
     return text + "\n";
 }
 
-// From a tenth of the slowest branch's frequency to ten times the fastest one's.
+// The table goes from a tenth of the slowest branch's frequency to ten times the fastest
+// one's.
 std::string explain_branches(const structure::Material& material) {
     const auto [fastest, slowest] =
         std::ranges::minmax(material.branches, {}, &structure::MaxwellBranch::time_s);

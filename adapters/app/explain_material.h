@@ -8,9 +8,9 @@
 
 namespace magfsi::launch {
 
-// How far a bar can be stretched and how stiff it is on the way, and the storage and the
-// loss modulus against frequency; empty for a neo-Hookean material without branches. The
-// viscosity counts in the loss modulus.
+// The text tells how far a bar can be stretched and how stiff it is on the way, and the
+// storage and the loss modulus against frequency; it is empty for a neo-Hookean material
+// without branches. The viscosity counts in the loss modulus.
 std::string explain_material(const structure::Material& material);
 
 }  // namespace magfsi::launch

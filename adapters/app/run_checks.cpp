@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What is wrong in the text of a controller's script; "" if nothing is, or if the package
-// magfsi is not there. The shell takes the name in quotes, of which those within it are
-// taken out.
+// Returns what is wrong in the text of a controller's script; "" if nothing is, or if the
+// package magfsi is not there. The shell takes the name in quotes, of which those within
+// it are taken out.
 std::string fault_in(const std::string& script) {
     std::string quoted;
     for (const char c : script) quoted += c == '\'' ? "'\\''" : std::string(1, c);

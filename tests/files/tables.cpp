@@ -175,6 +175,8 @@ TEST(RealGrids, AreRefusedWhereAUnitOrAnExpressionIsNotUnderstood) {
     const std::vector<std::pair<std::string, std::vector<const char*>>> wrong = {
         {"% Length unit,inch\n" + names, {"line 1", "inch", "x[m]"}},
         {"% Units: mm and T\n" + names, {"line 1", "Units: mm and T", "x[m]"}},
+        {"% lengths are millimetres\n" + names, {"line 1", "millimetres", "x[m]"}},
+        {"% geometry in Millimeters\n" + names, {"line 1", "Millimeters"}},
         {"# all lengths in mm\n# x y z Bx By Bz\n", {"line 1", "in mm"}},
         {"% x,y,z,mf.Bx (T),mf.By (T),-mf.Bz (T)\n", {"\"-mf.Bz (T)\" is an expression"}},
         {"% x,y,z,mf.Bx (T),mf.By (T),0.5*mf.Bz (T)\n",

@@ -127,7 +127,7 @@ std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFa
                                    reach, size[thin]);
     }
     if (ring) {
-        // As many in each quarter, so that they keep its mirrors and quarter turns.
+        // Each quarter has as many, so that they keep its mirrors and quarter turns.
         const std::size_t in_quarter = (rows[0].at_m.size() + 3) / 4;
         rows[0] = even_rows(block.low_m[0], block.high_m[0], size[0] / (4 * in_quarter));
     }

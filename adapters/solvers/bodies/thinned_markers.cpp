@@ -41,7 +41,7 @@ class ThinnedPoints {
     std::size_t size() const { return points_.size(); }
 
     // Picks in turn those of `count` points from the number `first` on that are apart_m
-    // from all picked before; the first to come is the one with the number `begin`.
+    // from all picked before. It begins with the one that has the number `begin`.
     void pick(Picked& picked, std::size_t first, std::size_t count,
               std::size_t begin) const {
         for (std::size_t n = 0; n < count; ++n) {

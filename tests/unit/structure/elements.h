@@ -98,4 +98,21 @@ inline Body soft_and_stiff_bar(ElementVariant variant = ElementVariant::assumed_
     return body;
 }
 
+// 45 elements, five batches and a part of one, of the soft material and the others in
+// turn.
+inline Body mixed_block(bool bricks, ElementVariant variant,
+                        std::vector<Material> other_materials) {
+    const Box box{{10e-4, 6e-4, 1.5e-4}, {5, 3, 3}};
+    Body body;
+    body.name = "mixed";
+    body.mesh = bricks ? box_mesh(box) : distorted_block(box, 3e-6, 14);
+    body.material = soft_material();
+    body.other_materials = std::move(other_materials);
+    body.element = variant;
+    const std::size_t materials = 1 + body.other_materials.size();
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e)
+        body.element_material.push_back(static_cast<int>(e % materials));
+    return body;
+}
+
 }  // namespace magfsi::structure::test

@@ -27,19 +27,11 @@ Material rubber(std::vector<MaxwellBranch> branches) {
 
 // --- the kernel ---------------------------------------------------------------------
 
-// 45 elements, five batches and a part of one, with no, one and three branches in turn.
+// The branches are none, one and three in turn.
 Body mixed_block(bool bricks, ElementVariant variant) {
-    const Box box{{10e-4, 6e-4, 1.5e-4}, {5, 3, 3}};
-    Body body;
-    body.name = "mixed";
-    body.mesh = bricks ? box_mesh(box) : test::distorted_block(box, 3e-6, 14);
-    body.material = test::soft_material();
-    body.other_materials = {rubber({{20e3, 0.1}}),
-                            rubber({{5e3, 1e-6}, {30e3, 0.03}, {10e3, 1e3}})};
-    body.element = variant;
-    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e)
-        body.element_material.push_back(static_cast<int>(e % 3));
-    return body;
+    return test::mixed_block(
+        bricks, variant,
+        {rubber({{20e3, 0.1}}), rubber({{5e3, 1e-6}, {30e3, 0.03}, {10e3, 1e3}})});
 }
 
 std::vector<double> moved(const Mesh& mesh, unsigned seed) {
