@@ -6,9 +6,10 @@
     done
     ./magfsi python tests/stability/draw_map.py runs/map --out docs/stability
     ./magfsi python tests/stability/draw_map.py docs/stability/cells.csv    # the pictures alone
+    ./magfsi python tests/stability/draw_map.py docs/stability/cells.csv runs/map --out docs/stability
 
-Writes fluid.png, coupling.png, bodies.png, no_slip.png, refinement.png and contact.png, cells.csv with a row for
-each run, and by_axis.md with the counts.
+The last takes the studies that are not in runs/map from the table. Writes a picture for each entry of PICTURES,
+cells.csv with a row for each run, and by_axis.md with the counts.
 """
 import argparse
 import csv
@@ -22,7 +23,9 @@ PICTURES = {"fluid": ["lattice", "ranks"],
             "bodies": ["elasticity", "thickness", "field", "elements", "reversal"],
             "no_slip": ["no_slip", "no_slip_bodies"],
             "refinement": ["refinement"],
-            "contact": ["rotating", "contact", "rheology", "rheology_strong"]}
+            "contact": ["rotating", "contact", "rheology", "rheology_strong"],
+            "held": ["held", "slow"],
+            "rigid": ["rigid", "rigid_contact", "rigid_drawn"]}
 # Of what a run ended: a letter for the pictures, and words that its cause holds.
 CAUSES = (("f", "the fluid diverges", "the fluid diverged"),
           ("m", "a marker moves more than 0.4 cells a step", "moves too fast for the fluid's grid"),
@@ -118,18 +121,23 @@ def draw_pictures(studies, out):
             draw(there, CAUSES, out / f"{name}.png")
 
 
+def done(folder):
+    return {file.parent.name: Study(file.parent) for file in sorted(folder.glob("*/runs.csv"))}
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("results", type=pathlib.Path)
+    options.add_argument("results", type=pathlib.Path, nargs="+", help="folders of studies, or tables of earlier ones")
     options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("docs/stability"))
     chosen = options.parse_args()
-    if chosen.results.suffix == ".csv":
-        draw_pictures(stored(chosen.results), chosen.out)
-        return
-    studies = {file.parent.name: Study(file.parent)
-               for file in sorted(chosen.results.glob("*/runs.csv"))}
+    studies = {}
+    for results in chosen.results:
+        studies |= stored(results) if results.suffix == ".csv" else done(results)
+    studies = dict(sorted(studies.items()))
     chosen.out.mkdir(parents=True, exist_ok=True)
     draw_pictures(studies, chosen.out)
+    if all(results.suffix == ".csv" for results in chosen.results):
+        return
     map_tables.write_cells(studies.values(), chosen.out / "cells.csv")
     page = map_tables.page(studies.values(), CAUSES)
     (chosen.out / "by_axis.md").write_text(page)

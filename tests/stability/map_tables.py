@@ -18,7 +18,8 @@ def write_cells(studies, path):
         writer.writerow(["study", "cell", "end", *errors, "core[s]", "cause"])
         for study in studies:
             for values, kind, row in study.cells:
-                cell = "; ".join(f"{axis} {value}" for axis, value in zip(study.axes, values))
+                cell = row.get("cell") or "; ".join(
+                    f"{axis} {value}" for axis, value in zip(study.axes, values))
                 numbers = [row.get(e) and f"{float(row[e]):.2g}" for e in errors]
                 cause = row["cause"] if end(kind) != "right" else ""
                 writer.writerow([study.name, cell, end(kind), *numbers,
