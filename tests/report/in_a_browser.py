@@ -232,6 +232,21 @@ class Looked(unittest.TestCase):
         self.assertEqual([label for label, _ in drawn], ["with its sign", "x", "z"])
         self.assertEqual(len({look for _, look in drawn}), 3)
 
+    def test_an_orientation_is_one_panel(self):
+        """A rigid brick that turns about x and y: its quaternion's four curves, then its three angles, each with a
+        look of its own and an explanation."""
+        run = testing.good_run(testing.ROOT / "tests/validation/rigid/brick.yaml", {
+            "time.end": "10 ms", "bodies.brick.initial.angular_velocity": "[100 rad/s, 50 rad/s, 20 rad/s]"})
+        self.open(kinds.page(run.folder))
+        for key, labels in ("brick.rigid_q[1]", ["w", "x", "y", "z"]), \
+                ("brick.rigid_angles[rad]", ["pitch", "roll", "yaw"]):
+            drawn = self.browser.run(f"""(() => {{ const p = drawn.find(p => p.name === "{key}");
+              p.drawCurves(); return [p.chart.data.datasets.map(d => [d.label, `${{d.borderColor}} ${{d.borderDash}}`]),
+                explained(plain(p.name), {{points: {{}}}})]; }})()""")
+            self.assertEqual(sorted(label for label, _ in drawn[0]), labels)
+            self.assertEqual(len({look for _, look in drawn[0]}), len(labels))
+            self.assertIn("turn", drawn[1])
+
     def test_many_rows_and_frames(self):
         page = kinds.page(kinds.long_course(self.run_))
         self.assertLess(page.stat().st_size, 2e6)

@@ -67,6 +67,13 @@ class Overview(unittest.TestCase):
                           ("robot", ["end_to_end", "mid_rise"]), ("tip_ux", ["ux"]),
                           ("mass", ["mass"])])
 
+    def test_a_quaternion_is_one_panel(self):
+        names = ["t[s]", *(f"ball.rigid_q_{part}[1]" for part in "wxyz"),
+                 *(f"ball.rigid_{angle}[rad]" for angle in ("roll", "pitch", "yaw"))]
+        self.assertEqual([(title, [label for label, _ in some])
+                          for title, _, some in curves.panels(dict.fromkeys(names))],
+                         [("ball.rigid_q", ["w", "x", "y", "z"]),
+                          ("ball", ["rigid_roll", "rigid_pitch", "rigid_yaw"])])
 
     def test_no_title_is_there_twice(self):
         names = ["t[s]", "field[T]", "field_x[T]", "field_z[T]", "robot.end_to_end[m]", "robot.mid_rise[m]",

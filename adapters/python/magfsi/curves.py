@@ -97,7 +97,7 @@ class Probes:
 
 
 def panels(columns):
-    """[(title, unit, [(label, column)])]: a vector's components together, and what else an owner
+    """[(title, unit, [(label, column)])]: a vector's or quaternion's components together, and what else an owner
     has in one unit. Of a point its displacement, not its place besides. No title is there twice."""
     groups = {}
     for name in columns:
@@ -105,7 +105,8 @@ def panels(columns):
             continue
         owner, dot, quantity = plain(name).rpartition(".")
         stem, _, part = quantity.rpartition("_")
-        vector = part.lstrip("u") in ("x", "y", "z") and len(part) <= 2
+        quaternion = stem.endswith("rigid_q") and part == "w"
+        vector = quaternion or part.lstrip("u") in ("x", "y", "z") and len(part) <= 2
         if is_told_by_a_displacement(name, columns):
             continue
         if vector:
@@ -121,7 +122,7 @@ def panels(columns):
 
 
 def _kind(unit, some):
-    if all(label in ("x", "y", "z") for label, _ in some):
+    if all(label in ("x", "y", "z", "w") for label, _ in some):
         return "components"
     return KINDS.get(unit, unit) if len(some) > 1 else "magnitude"
 

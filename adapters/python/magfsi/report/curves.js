@@ -16,6 +16,10 @@ const WORDS = {
   momentum_flux: "momentum through the plane, without pressure", pressure: "mean over the plane's fluid", kinetic_energy: "of the fluid",
   enstrophy: "mean of half the vorticity squared", mass: "of the fluid", max_speed: "largest speed in a cell of the fluid",
   drag: "force along the flow", lift: "force across the flow", force: "force of the fluid on the obstacle",
+  contact_force: "force of contact with bodies, platform, sides and obstacles", contact_torque: "torque of contact about the centre of mass",
+  rigid: "centre of mass of the rigid part, from the start", rigid_q: "turn of its frame in space, as a unit quaternion",
+  rigid_angles: "the same as turns about the axes x, y, z of space, in this order",
+  rigid_velocity: "of its centre of mass", rigid_spin: "angular velocity along axes of space",
   momentum_mismatch: "given by one side less received by the other", power_mismatch: "given by one side less received by the other" };
 function explained(key, run) {
   const at = /^field_at_(.*)/.exec(key);
@@ -28,8 +32,15 @@ function explained(key, run) {
 
 const unitOf = name => /\[(.*)\]$/.exec(name)?.[1] || "1";
 const plain = name => name.replace(/\[.*\]$/, "");
-// "tip_ux[m]": ["tip_u[m]", "x"]
-const keyed = name => [name.replace(/([._]u?)[xyz]\[/, (_, before) => `${before.replace(/^[._]$/, "")}[`), /[._]u?([xyz])\[/.exec(name)?.[1] || ""];
+// Components of a vector, of a quaternion, and angles: each has its place among the colours.
+const PARTS = { x: 0, y: 1, z: 2, w: 3, roll: 0, pitch: 1, yaw: 2 };
+const ORIENTATION = /^(.*\brigid)_(?:(q)_([wxyz])|(roll|pitch|yaw))\[(.*)\]$/;
+// "tip_ux[m]": ["tip_u[m]", "x"], "ball.rigid_q_w[1]": ["ball.rigid_q[1]", "w"], "ball.rigid_yaw[rad]": ["ball.rigid_angles[rad]", "yaw"]
+function keyed(name) {
+  const turn = ORIENTATION.exec(name);
+  return turn ? [`${turn[1]}_${turn[2] || "angles"}[${turn[5]}]`, turn[3] || turn[4]] : keyedByAxis(name);
+}
+const keyedByAxis = name => [name.replace(/([._]u?)[xyz]\[/, (_, before) => `${before.replace(/^[._]$/, "")}[`), /[._]u?([xyz])\[/.exec(name)?.[1] || ""];
 
 function spread(values) { // [lowest, highest]
   let low = Infinity, high = -Infinity;
@@ -45,8 +56,8 @@ function axisOf(runs) {
   return name && runs.every(run => run.load?.name === name) ? { ...runs[0].load, of: run => run.x } : { name: "time", unit: "s", of: run => run.t };
 }
 
-// {panels: Map of lines by key, constants: [{r: run number, name, value: "" for zero}]}. Columns that differ by x, y, z only stand
-// together. Places are from the start: what is drawn of a point is its displacement.
+// {panels: Map of lines by key, constants: [{r: run number, name, value: "" for zero}]}. Columns that differ by x, y, z only, and those of
+// one orientation, stand together. Places are from the start: what is drawn of a point is its displacement.
 function panels(allRuns) {
   const found = new Map(), constants = [];
   allRuns.forEach((run, r) => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A panel of curves, drawn by Chart.js when it comes into sight, with a cursor at the view's time.
 
-const DASHES = [[], [6, 3], [2, 2]];
+const DASHES = [[], [6, 3], [2, 2], [9, 2, 2, 2]];
 const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 // Finds on each curve the point nearest to the pointer, since runs have different instants.
@@ -81,7 +81,7 @@ class Panel {
     this.chart?.destroy();
     const ink = style("--ink"), grid = style("--line"), components = this.all.some(l => l.part), single = this.lines.length < 2;
     const datasets = this.lines.map(l => {
-      const axis = l.part ? "xyz".indexOf(l.part) : 0, xs = this.axis.of(l.run), whole = !l.part && components;
+      const axis = l.part ? PARTS[l.part] : 0, xs = this.axis.of(l.run), whole = !l.part && components;
       const colour = whole ? ink : line(this.several ? l.r : axis);
       const data = Array.from(l.values, (v, i) => ({ x: this.xFactor * xs[i], y: this.factor * v }));
       if (data.at(-1).x < data[0].x) data.reverse();
