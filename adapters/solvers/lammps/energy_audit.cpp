@@ -37,6 +37,10 @@ constexpr double max_share_of_fluid = 0.01;
 // Gains below the elastic energy of this strain, G V strain^2, are not judged: they may
 // be the rounding of a body at rest, or belong to a motion that has hardly begun.
 constexpr double min_strain = 1e-6;
+// The same of rigid bodies, which have no strain: the energy of this share of the speed
+// that the scene expects in its fluid. A body of the fluid's density that rests in it
+// moves by the rounding of its weight and buoyancy.
+constexpr double min_share_of_speed = 1e-3;
 
 double min_energy(const scene::Scene& scene, const std::vector<double>& masses_kg) {
     double softest = std::numeric_limits<double>::infinity();  // G / density [m2/s2]
@@ -45,9 +49,11 @@ double min_energy(const scene::Scene& scene, const std::vector<double>& masses_k
         if (m.shear_modulus_pa > 0)
             softest = std::min(softest, m.shear_modulus_pa / m.density_kg_m3);
     }
-    if (std::isinf(softest)) return 0;  // all bodies are rigid
-    return min_strain * min_strain * softest *
-           std::accumulate(masses_kg.begin(), masses_kg.end(), 0.0);
+    const double mass_kg = std::accumulate(masses_kg.begin(), masses_kg.end(), 0.0);
+    if (!std::isinf(softest)) return min_strain * min_strain * softest * mass_kg;
+    if (!scene.fluid) return 0;
+    const double speed_m_s = min_share_of_speed * scene.fluid->expected_speed_m_s;
+    return 0.5 * speed_m_s * speed_m_s * mass_kg;
 }
 
 double lost(const EnergyTerms& terms) {
