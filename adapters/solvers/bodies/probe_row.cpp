@@ -25,25 +25,6 @@ void add(Row& row, const Vec3& v) {
     row.insert(row.end(), v.begin(), v.end());
 }
 
-// The turn from the body's own frame to the place where it starts.
-Eigen::Quaterniond turn_of(const scene::Placement& initial) {
-    if (!initial.rotation) return Eigen::Quaterniond::Identity();
-    const auto [first, second] = initial.rotation->plane;
-    const Eigen::Vector3d axis =
-        Eigen::Vector3d::Unit(first).cross(Eigen::Vector3d::Unit(second));
-    return Eigen::Quaterniond(Eigen::AngleAxisd(initial.rotation->angle_rad, axis));
-}
-
-// Angles of turns about the axes x, y and z of space, in this order.
-Vec3 angles_of(const Eigen::Quaterniond& q) {
-    const double sine = 2 * (q.w() * q.y() - q.z() * q.x());
-    return {std::atan2(2 * (q.w() * q.x() + q.y() * q.z()),
-                       1 - 2 * (q.x() * q.x() + q.y() * q.y())),
-            std::asin(std::clamp(sine, -1.0, 1.0)),
-            std::atan2(2 * (q.w() * q.z() + q.x() * q.y()),
-                       1 - 2 * (q.y() * q.y() + q.z() * q.z()))};
-}
-
 // Fraction of each node's mass that belongs to the marked elements, by volumes at rest;
 // 1 at every node if all elements are marked. In a body of several materials it is a
 // fraction of the volume around the node.
@@ -208,13 +189,13 @@ void ProbeRow::add_rigid_motion(std::size_t part, const std::string& column,
           "pitch[rad]", "yaw[rad]", "velocity_x[m/s]", "velocity_y[m/s]",
           "velocity_z[m/s]", "spin_x[rad/s]", "spin_y[rad/s]", "spin_z[rad/s]"})
         group.columns.push_back(column + ".rigid_" + value);
-    const Eigen::Quaterniond placed = turn_of(initial);
+    const Eigen::Quaterniond placed = turn_at_start(initial);
     group.add = [part, placed](const ProbeSample& sample, Row& row) {
         const structure::RigidPartMotion& now = sample.nodes.rigid.at(part);
         const Eigen::Quaterniond turn = now.turn * placed;
         add(row, now.centre_m);
         for (const double q : {turn.w(), turn.x(), turn.y(), turn.z()}) row.push_back(q);
-        add(row, angles_of(turn));
+        add(row, angles_rad(turn));
         add(row, now.velocity_m_s);
         add(row, now.angular_velocity_rad_s);
     };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/solvers/bodies/rigid_parts.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "structure/lattice/rigid_mass.h"
 
 namespace magfsi::bodies {
@@ -15,6 +18,23 @@ std::vector<RigidPartOfScene> rigid_parts_of(const Solids& solids) {
         }
     }
     return all;
+}
+
+Eigen::Quaterniond turn_at_start(const scene::Placement& initial) {
+    if (!initial.rotation) return Eigen::Quaterniond::Identity();
+    const auto [first, second] = initial.rotation->plane;
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d::Unit(first).cross(Eigen::Vector3d::Unit(second));
+    return Eigen::Quaterniond(Eigen::AngleAxisd(initial.rotation->angle_rad, axis));
+}
+
+structure::Vec3 angles_rad(const Eigen::Quaterniond& q) {
+    const double sine = 2 * (q.w() * q.y() - q.z() * q.x());
+    return {std::atan2(2 * (q.w() * q.x() + q.y() * q.z()),
+                       1 - 2 * (q.x() * q.x() + q.y() * q.y())),
+            std::asin(std::clamp(sine, -1.0, 1.0)),
+            std::atan2(2 * (q.w() * q.z() + q.x() * q.y()),
+                       1 - 2 * (q.y() * q.y() + q.z() * q.z()))};
 }
 
 RigidKinetics::RigidKinetics(const Solids& solids,

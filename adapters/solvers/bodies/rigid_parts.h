@@ -3,7 +3,7 @@
 // motion of their nodes does not tell.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +20,11 @@ struct RigidPartOfScene {
     std::string column;  // what its columns begin with: "BODY" or "BODY.REGION"
 };
 std::vector<RigidPartOfScene> rigid_parts_of(const Solids& solids);
+
+// The turn from a body's own frame to the place where it starts.
+Eigen::Quaterniond turn_at_start(const scene::Placement& initial);
+// Angles of turns about the axes x, y and z of space, made in this order.
+structure::Vec3 angles_rad(const Eigen::Quaterniond& turn);
 
 // Kinetic energies beyond those of the masses at the nodes. The latter are lumped, with
 // inertias that are too large (structure/lattice/rigid_mass.h), so that these are

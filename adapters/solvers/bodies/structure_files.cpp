@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "adapters/solvers/bodies/field_work.h"
+#include "adapters/solvers/bodies/rigid_parts.h"
 #include "structure/lattice/element_kernel.h"
 #include "structure/lattice/plain_element.h"
 #include "structure/lattice/strain.h"
@@ -202,6 +203,7 @@ StructureFiles::StructureFiles(const scene::Scene& scene, const Bodies& bodies,
     }
     for (const BodyField field : scene.output.structure->fields)
         add(field, scene, bodies);
+    add_orientations(scene, bodies);
 }
 
 void StructureFiles::add(BodyField field, const scene::Scene& scene,
@@ -288,6 +290,41 @@ void StructureFiles::add_of_elements(BodyField field, const Bodies& bodies) {
     } else {
         add = energy_densities(bodies);
     }
+}
+
+// Adds two fields where there are rigid parts: the turn of the body's frame in space as
+// a quaternion w, x, y, z, and as three angles. Soft elements have zeros, which are no
+// quaternion of a turn.
+void StructureFiles::add_orientations(const scene::Scene& scene, const Bodies& bodies) {
+    const std::vector<RigidPartOfScene> parts = rigid_parts_of(bodies);
+    if (parts.empty()) return;
+    std::vector<int> part_of_element;  // -1: soft
+    std::vector<Eigen::Quaterniond> at_start;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const int first = static_cast<int>(at_start.size());
+        for (std::size_t e = 0; e < bodies[b].mesh.elements.size(); ++e)
+            part_of_element.push_back(structure::is_soft(bodies[b], e)
+                                          ? -1
+                                          : first + bodies[b].element_rigid[e]);
+        at_start.resize(at_start.size() + bodies[b].rigid_parts.size(),
+                        turn_at_start(scene.bodies[b].initial));
+    }
+    // value: what is appended of a turn, `count` numbers.
+    const auto of_turns = [=](std::size_t count, const auto& value) {
+        return [=](const Instant& now, std::vector<double>& out) {
+            for (const int part : part_of_element) {
+                if (part < 0)
+                    out.resize(out.size() + count);
+                else
+                    append(out, value(now.state.rigid.at(part).turn * at_start[part]));
+            }
+        };
+    };
+    fields_.push_back(
+        {"orientation[1]", 4, false, of_turns(4, [](const Eigen::Quaterniond& q) {
+             return std::array{q.w(), q.x(), q.y(), q.z()};
+         })});
+    fields_.push_back({"angles[rad]", 3, false, of_turns(3, angles_rad)});
 }
 
 std::filesystem::path StructureFiles::file(std::int64_t index) const {

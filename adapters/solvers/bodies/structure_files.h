@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Output files of the bodies for ParaView: structure.pvd and its .vtu files, with the
-// fields that the scene's output.structure.fields names.
+// fields that the scene's output.structure.fields names; where bodies have rigid parts,
+// the orientation of each, too.
 #pragma once
 
 #include <filesystem>
@@ -59,6 +60,7 @@ class StructureFiles {
                       const Bodies& bodies);
     void add_magnetization(const Bodies& bodies);
     void add_of_elements(scene::BodyField field, const Bodies& bodies);
+    void add_orientations(const scene::Scene& scene, const Bodies& bodies);
     std::filesystem::path file(std::int64_t index) const;
 
     // The elements of all bodies, with nodes numbered over all bodies.
