@@ -38,6 +38,24 @@ class MapInParts(unittest.TestCase):
         self.assertIn("| all | 3 | 2 | 0 | 1 | 0 |", page)
         self.assertTrue((out / "drawn/coupling.png").exists())
 
+    def test_held_slow_and_rigid(self):
+        out = Path(testing.new_folder())
+        for name, cell in (
+                ("held", {"relaxation_time": 0.69, "lattice_speed": 0.08, "kernel": "3-point",
+                          "collision": "automatic", "cells": "uniform"}),
+                ("slow", {"relaxation_time": 1, "ball": "rigid, 3-point"}),
+                ("rigid", {"density_ratio": 8, "shape": "thin disk", "load": "turning field"}),
+                ("rigid_contact", {"density_ratio": 2, "load": "ball on ball", "scheme": "serial"})):
+            self.assertEqual(study(name, out, **cell)["verdict"], "right")
+
+    def test_rounding_is_no_gain_of_energy(self):
+        """A rigid body of the fluid's density rests in it: nothing is gained, as nothing happens but rounding."""
+        run = testing.good_run(testing.ROOT / "tests/scenes/rigid_body.yaml", {
+            "bodies.body.material.density": "1000 kg/m3", "time.end": "5 ms"})
+        z = run.probes()["body.com_z[m]"]
+        testing.report(f"it moves by {abs(z[-1] - z[0]):.1e} m")
+        self.assertLess(abs(z[-1] - z[0]), 1e-6 * 0.125e-3)  # a millionth of a cell
+
     def test_energy_from_nowhere_ends_a_run(self):
         # Two relaxation times at this relaxation time do not damp what the stream feeds; the
         # speed is still within the lattice's limit when the audit ends the run.
