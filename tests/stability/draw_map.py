@@ -25,14 +25,16 @@ PICTURES = {"fluid": ["lattice", "ranks"],
             "refinement": ["refinement"],
             "contact": ["rotating", "contact", "rheology", "rheology_strong"],
             "held": ["held", "slow"],
-            "rigid": ["rigid", "rigid_contact", "rigid_drawn"]}
+            "rigid": ["rigid", "rigid_contact"]}
 # Of what a run ended: a letter for the pictures, and words that its cause holds.
 CAUSES = (("f", "the fluid diverges", "the fluid diverged"),
           ("m", "a marker moves more than 0.4 cells a step", "moves too fast for the fluid's grid"),
           ("e", "an element is inverted", "is inverted"),
           ("g", "energy is gained without a source", "gained energy"),
           ("b", "the body leaves the box", "left the fluid"),
-          ("o", "a body passes through itself", "passes through itself"))
+          ("o", "a body passes through itself", "passes through itself"),
+          ("p", "a body passes through another", "passes through body"),
+          ("s", "a body passes into a side of the box", "passes into the side"))
 
 
 def kind(row):
