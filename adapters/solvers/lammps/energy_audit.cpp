@@ -38,8 +38,8 @@ constexpr double max_share_of_fluid = 0.01;
 // be the rounding of a body at rest, or belong to a motion that has hardly begun.
 constexpr double min_strain = 1e-6;
 // The same of rigid bodies, which have no strain: the energy of this share of the speed
-// that the scene expects in its fluid. A body of the fluid's density that rests in it
-// moves by the rounding of its weight and buoyancy.
+// that the scene expects in its fluid. A body of the fluid's density that rests in it is
+// moved a little by the lag of the fluid inside in its first step.
 constexpr double min_share_of_speed = 1e-3;
 
 double min_energy(const scene::Scene& scene, const std::vector<double>& masses_kg) {
