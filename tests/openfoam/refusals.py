@@ -54,6 +54,12 @@ class Refusals(unittest.TestCase):
         self.refused({"fluid.grading.uniform": "[[1 mm, 1 mm, 1 mm], [9 mm, 3 mm, 5 mm]]"},
                      "uniform", "along x")
 
+    def test_an_inlet_behind_an_obstacle(self):
+        self.refused({"fluid.boundaries.x_min": "{velocity_inlet: {velocity: [1 mm/s, 0 m/s, 0 m/s]}}",
+                      "fluid.boundaries.x_max": "pressure_outlet",
+                      "fluid.obstacles": "{plug: {box: [[-1 mm, -1 mm, -1 mm], [0.3 mm, 9 mm, 9 mm]]}}"},
+                     "x_min", "behind fluid.obstacles", "opening beside")
+
     @unittest.skipUnless((testing.BIN.parent / "lib/libmagfsi_openfoam_engine.so").exists(),
                          "this build has no OpenFOAM")
     def test_an_opening_between_the_centres_of_faces(self):

@@ -80,6 +80,7 @@ std::string explain(const scene::Scene& scene, const bodies::Solids& /*solids*/,
     for (int side = 0; side < 6; ++side)
         if (fluid.boundaries[side].kind == fluid::BoundaryKind::velocity_inlet)
             slab_shape(fluid, mesh, side);  // refuses an opening without a face
+    refuse_inlets_behind_obstacles(fluid, mesh);
     const auto n = mesh_cells(mesh);
     const double cells = 1.0 * n[0] * n[1] * n[2];
     std::string text = "\nfluid (OpenFOAM, pimpleFoam)                     SI\n";

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "adapters/solvers/openfoam/inlet.h"
 #include "adapters/solvers/openfoam/mesh.h"
 #include "fluid_lbm/obstacle/solid.h"
 
@@ -133,6 +134,34 @@ scene::Vec3 point_in_fluid(const scene::Fluid& fluid) {
     throw std::invalid_argument(
         "fluid.obstacles: found no cell of fluid without an obstacle beside it; take a "
         "finer fluid.spacing");
+}
+
+// Looks half a cell inside of each face through which something enters.
+void refuse_inlets_behind_obstacles(const scene::Fluid& fluid, const BoxMesh& mesh) {
+    const fluid::Solids solids = solids_of(fluid);
+    for (int side = 0; side < 6; ++side) {
+        if (fluid.boundaries[side].kind != fluid::BoundaryKind::velocity_inlet) continue;
+        const int axis = side / 2, first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+        const auto &a = mesh.planes_m[first], &b = mesh.planes_m[second];
+        scene::Vec3 point{};
+        point[axis] = side % 2 == 0 ? 0.5 : fluid.box_m[axis] / fluid.spacing_m - 0.5;
+        const auto shape = slab_shape(fluid, mesh, side);
+        bool open = false;
+        for (std::size_t face = 0; face < shape.size(); ++face) {
+            const std::size_t i = face % (a.size() - 1), j = face / (a.size() - 1);
+            point[first] = 0.5 * (a[i] + a[i + 1]) / fluid.spacing_m;
+            point[second] = 0.5 * (b[j] + b[j + 1]) / fluid.spacing_m;
+            open = open || (shape[face] > 0 &&
+                            std::ranges::none_of(solids, [&](const auto& solid) {
+                                return solid->holds(point);
+                            }));
+        }
+        if (!open)
+            throw std::invalid_argument(fmt::format(
+                "fluid inlet at {} lies behind fluid.obstacles, which let none of its "
+                "flow into the box; move them, or give the inlet an opening beside them",
+                fluid::side_name[side]));
+    }
 }
 
 }  // namespace magfsi::openfoam
