@@ -101,8 +101,7 @@ void check_start(const Body& body, bool in_fluid, const Marks& marks) {
             "relaxed for a body with a rigid part", "it for soft bodies");
 }
 
-// Contact and platform derive their stiffness from moduli, those with the sides of a box
-// always.
+// Contact and platform derive their stiffness from moduli unless it is given.
 void check_moduli(const Scene& scene, const Marks& marks) {
     const bool some = std::ranges::any_of(scene.bodies, [](const Body& body) {
         return body.material.shear_modulus_pa > 0;
@@ -114,12 +113,10 @@ void check_moduli(const Scene& scene, const Marks& marks) {
                             "stiffness follows",
                             name),
                 "it with a modulus of one of the bodies",
-                scene.fluid ? "add shear_modulus and lame_lambda to the material"
-                            : fmt::format("give {}.stiffness, or a modulus", name));
+                fmt::format("give {}.stiffness, or a modulus", name));
     };
     refuse_without(scene.platform && !(scene.platform->stiffness_pa_m > 0), "platform");
-    refuse_without(scene.contact && (!(scene.contact->stiffness_pa_m > 0) || scene.fluid),
-                   "contact");
+    refuse_without(scene.contact && !(scene.contact->stiffness_pa_m > 0), "contact");
 }
 
 }  // namespace

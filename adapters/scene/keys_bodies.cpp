@@ -347,7 +347,9 @@ void keys(Io& io, ContactLaw& contact) {
            "thickness of the thinnest body.").above(0).optional(),
        contact.distance_m);
     io(quantity("stiffness", "Pa/m",
-           "Contact pressure over approach. Without it, it follows from the bodies.")
+           "Contact pressure over approach, between bodies and in a fluid with the sides of "
+           "its box and its obstacles. Without it, it follows from the bodies; sides and "
+           "obstacles take more where the bodies ask for it.")
            .above(0).optional(),
        contact.stiffness_pa_m);
     io(key("friction",

@@ -225,10 +225,10 @@ double FixMagtticeSolid::compute_scalar() {
     return all;
 }
 
-// Stiffness of plane walls [Pa/m]: that of a platform under a column of one element,
-// (lambda + 2 G) / (2 h) with h the mean size of an element, as a corner or the pole of a
-// ball may meet the wall. The largest of all bodies.
-double stiffness_pa_m(const LammpsInput& input) {
+// Stiffness of a platform under a column of one element [Pa/m], (lambda + 2 G) / (2 h)
+// with h the mean size of an element, as a corner or the pole of a ball may meet the
+// wall. The largest of all bodies.
+double stiffness_of_bodies_pa_m(const LammpsInput& input) {
     double largest = 0;
     for (const Body& body : input.bodies) {
         const double size_m = std::cbrt(volume_m3(body.mesh) /
@@ -239,13 +239,22 @@ double stiffness_pa_m(const LammpsInput& input) {
     return largest;
 }
 
+// At least that which contact was given.
+double at_least_of_contact(double stiffness_pa_m, const LammpsInput& input) {
+    return std::max(stiffness_pa_m, input.contact ? input.contact->stiffness_pa_m : 0);
+}
+
+// Stiffness of plane walls [Pa/m].
+double plane_stiffness_pa_m(const LammpsInput& input) {
+    return at_least_of_contact(stiffness_of_bodies_pa_m(input), input);
+}
+
 // Stiffness of shapes [Pa/m]. A ball on a ball or on an edge is carried by one or two
 // nodes, where a plane wall has many. With 16 times a wall's stiffness a ball of 1 mm
 // that falls at 8 cm/s penetrates by 5 um, at the cost of a step of a fifth of the stable
 // one.
 double shape_stiffness_pa_m(const LammpsInput& input) {
-    return std::max(16 * stiffness_pa_m(input),
-                    input.contact ? input.contact->stiffness_pa_m : 0);
+    return at_least_of_contact(16 * stiffness_of_bodies_pa_m(input), input);
 }
 
 void add_walls(Lines& lines, const LammpsInput& input) {
@@ -269,10 +278,10 @@ void add_walls(Lines& lines, const LammpsInput& input) {
             continue;
         }
         const Platform& plane = wall.plane;
-        lines.push_back(
-            fmt::format("fix wall_{} {} magttice/platform {:.17g} {:.17g} {:.17g}{}",
-                        wall.name, group, fmt::join(plane.point_m, " "),
-                        fmt::join(plane.normal, " "), stiffness_pa_m(input), rough));
+        lines.push_back(fmt::format(
+            "fix wall_{} {} magttice/platform {:.17g} {:.17g} {:.17g}{}", wall.name,
+            group, fmt::join(plane.point_m, " "), fmt::join(plane.normal, " "),
+            plane_stiffness_pa_m(input), rough));
     }
 }
 
@@ -282,7 +291,7 @@ void add_walls(Lines& lines, const LammpsInput& input) {
 double pressing_spring_pa_m(const LammpsInput& input, const Body&) {
     const bool shapes = std::ranges::any_of(
         input.walls, [](const Wall& wall) { return wall.shape.has_value(); });
-    return stiffness_pa_m(input) + (shapes ? shape_stiffness_pa_m(input) : 0);
+    return plane_stiffness_pa_m(input) + (shapes ? shape_stiffness_pa_m(input) : 0);
 }
 
 }  // namespace
