@@ -42,8 +42,8 @@ std::string patch_name(const scene::Obstacle& obstacle);
 // none.
 scene::Vec3 point_in_fluid(const scene::Fluid& fluid);
 
-// Throws std::invalid_argument if obstacles lie before the whole opening of an inlet. mesh:
-// that of one rank.
+// Throws std::invalid_argument if obstacles lie before the whole opening of an inlet.
+// mesh: that of one rank.
 void refuse_inlets_behind_obstacles(const scene::Fluid& fluid, const BoxMesh& mesh);
 
 }  // namespace magfsi::openfoam
