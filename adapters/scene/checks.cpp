@@ -314,7 +314,7 @@ void check(const MaterialMarks& at, bool rigid) {
     const bool by_ours = at.has(ours[0]) || at.has(ours[1]);
     const bool by_theirs = at.has(theirs[0]) || at.has(theirs[1]);
     require(at.has("density") || at.has("preset"), at.at("density"), "no key \"density\"",
-            "it, or a preset");
+            "a density such as 1000 kg/m3, or a preset");
     if (rigid && !by_ours && !by_theirs) return;
     const char* second = at.has(theirs[0]) ? theirs[0] : theirs[1];
     require(!by_ours || !by_theirs, at.at(second),
