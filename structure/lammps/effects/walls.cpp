@@ -225,9 +225,9 @@ double FixMagtticeSolid::compute_scalar() {
     return all;
 }
 
-// Stiffness of a platform under a column of one element [Pa/m], (lambda + 2 G) / (2 h)
-// with h the mean size of an element, as a corner or the pole of a ball may meet the
-// wall. The largest of all bodies.
+// Stiffness that the moduli ask for [Pa/m]: that of a platform under a column of one
+// element, (lambda + 2 G) / (2 h), since a corner or the pole of a ball may meet the
+// wall. h is the mean size of an element. The largest of all bodies counts.
 double stiffness_of_bodies_pa_m(const LammpsInput& input) {
     double largest = 0;
     for (const Body& body : input.bodies) {
