@@ -30,11 +30,6 @@ double edge(coupler::Kernel kernel, double magic_number) {
     return of(known.back());
 }
 
-double rim_of_more(coupler::Kernel kernel) {
-    return kernel == coupler::Kernel::two_point ? fitted::rim_of_more_two_point
-                                                : fitted::rim_of_more_three_point;
-}
-
 }  // namespace
 
 // Relaxation time and magic number are those of the grid at the bodies; a fluid without a
@@ -46,12 +41,9 @@ KernelReach reach_in(const scene::Scene& scene) {
     const double reynolds = fluid::cell_reynolds_number(
         *scene.fluid, scene.fluid->expected_speed_m_s, grid_m, tau);
     const double magic = fluid::choose_magic_number(*scene.fluid, {tau, true, reynolds});
-    return {grid_m,
-            WallOfPlanes(kernel, tau, magic),
+    return {grid_m, WallOfPlanes(kernel, tau, magic),
             WallOfPlanes(kernel, tau, magic, fitted::resolved_stokes_layer),
-            edge(kernel, magic) * grid_m,
-            fitted::rim_of_two * grid_m,
-            rim_of_more(kernel) * grid_m};
+            edge(kernel, magic) * grid_m};
 }
 
 }  // namespace magfsi::bodies

@@ -88,9 +88,6 @@ struct KernelReach {
     }
     // Depth of the outermost of many rows below the surface [m], for rows this far apart.
     double depth_m(double apart_m) const { return grid_m * wall.depth(apart_m / grid_m); }
-    // Depth in addition to depth_m of the rows along a rim, for sheets of two layers and
-    // of more [m].
-    double rim_of_two_m, rim_of_more_m;
 };
 // The reach in a scene with a fluid on a lattice and coupling.
 KernelReach reach_in(const scene::Scene& scene);

@@ -41,8 +41,9 @@ Rows even_rows(double low_m, double high_m, double widest_m) {
     return rows;
 }
 
-Rows layers(double low_m, double high_m, const KernelReach& reach) {
-    const EvenPlanes planes = reach.layers(high_m - low_m);
+// The planes whose wall stands within_m inside of both ends.
+Rows layers(double low_m, double high_m, const KernelReach& reach, double within_m = 0) {
+    const EvenPlanes planes = reach.layers(high_m - low_m - 2 * within_m);
     const double middle_m = 0.5 * (low_m + high_m);
     Rows rows{{}, planes.apart * reach.grid_m};
     for (int i = 0; i < planes.count; ++i)
@@ -50,32 +51,56 @@ Rows layers(double low_m, double high_m, const KernelReach& reach) {
     return rows;
 }
 
-// Extent of a sheet along one of its axes; an end is wet where fluid touches it.
+// Extent of a block along one of its axes; an end is wet where fluid touches it.
 struct Length {
     double low_m, high_m;
     bool low_wet, high_wet;
 
+    double length_m() const { return high_m - low_m; }
+
     // Rows that keep this distance from wet ends, but at most a quarter of the length.
     Rows drawn_back(double depth_m, double widest_m) const {
-        const double drawn_m = std::min(depth_m, 0.25 * (high_m - low_m));
+        const double drawn_m = std::min(depth_m, 0.25 * length_m());
         return even_rows(low_m + (low_wet ? drawn_m : 0),
                          high_m - (high_wet ? drawn_m : 0), widest_m);
     }
 };
 
+// Rows between a dry end, half a distance from it, and a wet one, their wall within_m
+// inside of it.
+Rows rows_from_dry_end(const Length& length, double within_m, const KernelReach& reach) {
+    const double widest_m = fitted::widest_apart * reach.grid_m;
+    Rows rows{{}, widest_m};
+    std::size_t count = 1;
+    double depth_m = 0;
+    // The depth depends a little on the distance that follows from it.
+    for (int turn = 0; turn < 5; ++turn) {
+        depth_m = within_m + reach.depth_m(rows.apart_m);
+        const double covered_m =
+            std::max(length.length_m() - depth_m, 0.25 * length.length_m());
+        count =
+            std::max<std::size_t>(count, std::ceil(covered_m / widest_m + 0.5 - 1e-9));
+        rows.apart_m = covered_m / (count - 0.5);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const double from_dry_m = (i + 0.5) * rows.apart_m;
+        rows.at_m.push_back(length.low_wet ? length.high_m - from_dry_m
+                                           : length.low_m + from_dry_m);
+    }
+    return rows;
+}
+
 Rows rows_along(const Length& length, const KernelReach& reach, double thickness_m) {
     const double widest_m = fitted::widest_apart * reach.grid_m;
-    const int layers = reach.layers(thickness_m).count;
-    if (layers == 1)
+    if (reach.takes_one_layer(thickness_m))
         return length.drawn_back(std::max(0.0, rim_depth_m(reach, thickness_m)),
                                  widest_m);
-    const double beyond_m = layers == 2 ? reach.rim_of_two_m : reach.rim_of_more_m;
-    // The depth depends a little on the distance that follows from it.
-    Rows rows{{}, widest_m};
-    for (int turn = 0; turn < 3; ++turn)
-        rows = length.drawn_back(
-            beyond_m + reach.depth_m(rows.apart_m) - 0.5 * rows.apart_m, widest_m);
-    return rows;
+    const double within_m = fitted::beyond_edge * reach.grid_m;
+    if (length.low_wet && length.high_wet)
+        return layers(length.low_m, length.high_m, reach, within_m);
+    if (length.low_wet || length.high_wet)
+        return rows_from_dry_end(length, within_m, reach);
+    return even_rows(length.low_m, length.high_m, widest_m);
 }
 
 // True if fluid touches the end of a box at this coordinate.
@@ -104,27 +129,40 @@ std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
     return top;
 }
 
-// Markers of a block: rows along its two longer axes, layers across the thinnest. Their
-// surfaces are not set here. ring: it is a ring, straightened along x.
+// The axes along which a block is thinnest, several of a cube and a square bar; never one
+// on which the body goes on, unless it goes on along all.
+std::vector<std::size_t> thin_axes(const Vec3& size,
+                                   const structure::Continues& continues) {
+    const bool endless = std::ranges::count(continues, true) == 3;
+    std::vector<std::size_t> thin;
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (continues[d] && !endless) continue;
+        if (!thin.empty() && size[d] < (1 - 1e-9) * size[thin[0]]) thin.clear();
+        if (thin.empty() || size[d] < (1 + 1e-9) * size[thin[0]]) thin.push_back(d);
+    }
+    return thin;
+}
+
+// Markers of a block: layers across its thinnest axis and rows along the others; rows
+// along all if several are as thin, which keeps its quarter turns. Their surfaces are not
+// set here. ring: it is a ring, straightened along x.
 std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFaces& dry,
                                         const KernelReach& reach,
                                         const structure::Continues& continues,
                                         bool ring = false) {
     const structure::Bounds block = structure::bounds(mesh.nodes);
     const Vec3 size = block.extent_m();
-    std::size_t thin = 0;  // never along an axis on which the body goes on
-    for (std::size_t d = 1; d < 3; ++d)
-        if (continues[thin] || (!continues[d] && size[d] < size[thin])) thin = d;
+    const auto thin = thin_axes(size, continues);
     const auto surface = dry.without(structure::boundary_quads(mesh));
     std::array<Rows, 3> rows;
     for (std::size_t d = 0; d < 3; ++d) {
         const double slack_m = 1e-6 * size[d];
         const double low_m = block.low_m[d], high_m = block.high_m[d];
-        rows[d] = d == thin
+        rows[d] = thin == std::vector{d}
                       ? layers(low_m, high_m, reach)
                       : rows_along({low_m, high_m, wet(surface, mesh, d, low_m, slack_m),
                                     wet(surface, mesh, d, high_m, slack_m)},
-                                   reach, size[thin]);
+                                   reach, size[thin[0]]);
     }
     if (ring) {
         // Each quarter has as many, so that they keep its mirrors and quarter turns.
@@ -178,10 +216,9 @@ std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
     const EvenPlanes layers = reach.layers(thickness_m);
     double depth_m = rim_depth_m(reach, thickness_m) + fitted::beyond_row * apart_m;
     if (layers.count > 1)
-        depth_m = reach.depth_m(fitted::thinned_apart * reach.grid_m) +
-                  (layers.count == 2
-                       ? reach.rim_of_two_m - fitted::thinned_two * reach.grid_m
-                       : reach.rim_of_more_m - fitted::thinned_more * reach.grid_m);
+        depth_m = reach.depth_m(fitted::thinned_apart * reach.grid_m) -
+                  (layers.count == 2 ? fitted::thinned_two : fitted::thinned_more) *
+                      reach.grid_m;
     std::vector<std::vector<PlacedMarker>> dense;
     for (int i = 0; i < layers.count; ++i) {
         const double above_m =
@@ -234,7 +271,7 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
                                     const KernelReach& reach) {
     const double grid_m = reach.grid_m, fine_m = 0.125 * grid_m;
     const double depth_m =
-        reach.depth_m(fitted::thinned_apart * grid_m) + fitted::beyond_shell * grid_m;
+        reach.depth_m(fitted::thinned_apart * grid_m) + fitted::beyond_edge * grid_m;
     const structure::PointLocator locator(mesh);
     std::vector<PlacedMarker> points;
     for (const auto& p : structure::surface_points(mesh, surface, fine_m)) {
@@ -309,15 +346,19 @@ std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
     const auto sheet = structure::find_sheet(mesh, continues);
     const auto layer = one_layer(mesh, sheet, reach);
     std::vector<PlacedMarker> markers;
-    if (std::holds_alternative<structure::Box>(body.mesh))
+    bool has_thin_axis = true;
+    if (std::holds_alternative<structure::Box>(body.mesh)) {
         markers = rows_in_block(mesh, dry, reach, continues);
-    else if (const auto* arc = std::get_if<structure::Arc>(&body.mesh))
+        const Vec3 size = structure::bounds(mesh.nodes).extent_m();
+        has_thin_axis = thin_axes(size, continues).size() == 1;
+    } else if (const auto* arc = std::get_if<structure::Arc>(&body.mesh)) {
         markers = in_bent_block(body, structure::straightened(*arc), mesh, reach);
-    else if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
+    } else if (const auto* helix = std::get_if<structure::Helix>(&body.mesh)) {
         markers = in_bent_block(body, structure::straightened(*helix), mesh, reach);
-    else
+    } else {
         markers = in_mesh(mesh, sheet, dry, reach);
-    share_faces(markers, mesh, sheet, layer.has_value(), dry, reach);
+    }
+    share_faces(markers, mesh, sheet, layer && has_thin_axis, dry, reach);
     share_among_elements(markers, mesh);
     if (layer) {
         for (PlacedMarker& marker : markers)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Markers of forcing no_slip on a mesh that is no block have every mirror and quarter
-// turn of the mesh, to rounding.
+// Markers of forcing no_slip have every mirror and quarter turn of their mesh, to
+// rounding.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -164,6 +164,25 @@ TEST(SymmetricMarkers, of_a_ring) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             expect_same(mesh, markers, [&](const Vec3& x) { return mirror(x, axis); });
         expect_same(mesh, markers, turned_about_y);
+    }
+}
+
+// Blocks have rows of markers; a cube keeps its quarter turns about every axis, a square
+// bar about its own, with one and with several layers.
+TEST(SymmetricMarkers, of_a_cube_and_a_square_bar) {
+    for (const double cells : {1.3, 2.0, 2.7, 3.4, 5.0, 8.0}) {
+        const double a = cells * grid_m;
+        for (const double length_m : {a, 3.3 * a}) {
+            const structure::Box box{{a, a, length_m}, {3, 3, length_m > a ? 5 : 3}};
+            Mesh mesh = structure::box_mesh(box);
+            for (Vec3& x : mesh.nodes) x -= 0.5 * box.size_m;
+            const auto markers = markers_of(mesh, box);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                expect_same(mesh, markers,
+                            [&](const Vec3& x) { return mirror(x, axis); });
+            expect_same(mesh, markers, turned);
+            if (length_m == a) expect_same(mesh, markers, turned_about_y);
+        }
     }
 }
 
