@@ -292,9 +292,10 @@ void keys(Io& io, Fluid& fluid) {
     io(key("collision", "Collision model of the lattice Boltzmann method.").by_default(),
        fluid.collision);
     io(key("magic_number", "Lambda of the collisions trt and recursive_mrt: how odd modes relax. "
-           "Without it 3/16, which puts walls exactly half way, or in trt what makes the odd "
-           "rate 1 if the relaxation time is below 0.55; in recursive_mrt 0.75 over the Reynolds "
-           "number of a cell, from 0.001 to 3/16, falling with the square from 60 on.")
+           "Without it 3/16, which puts walls exactly half way, or what makes the odd rate 1 if "
+           "the relaxation time is below 0.55; in recursive_mrt around bodies without slip 0.75 "
+           "over the Reynolds number of a cell, from 0.001 to 3/16, falling with the square from "
+           "60 on.")
            .above(0).at_most(1),
        fluid.magic_number);
     io(key("precision",

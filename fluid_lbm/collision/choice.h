@@ -16,7 +16,7 @@ struct CollisionCase {
     // True if immersed bodies hold the fluid without slip: their boundary layers shall
     // not depend on the time step.
     bool holds_no_slip = false;
-    double cell_reynolds_number = 0;  // used for recursive_mrt only
+    double cell_reynolds_number = 0;  // used where holds_no_slip is true
     // True if a side is a wall that moves along itself, with inertia in a cell beside it.
     bool has_moving_wall = false;
 };
@@ -35,10 +35,10 @@ inline double cell_reynolds_number(const Options& options, double expected_speed
     return speed * spacing_m / least_m2_s;
 }
 
-// Magic number of recursive_mrt. It is large on grids that resolve the flow, where 3/16
-// puts walls in their place, and small on coarse ones, where odd modes must decay; from a
-// Reynolds number of 60 on it falls with the square. It does not depend on the time step
-// if the expected speed is given.
+// Magic number of recursive_mrt around bodies without slip. It is large on grids that
+// resolve the flow, where 3/16 puts walls in their place, and small on coarse ones, where
+// odd modes must decay; from a Reynolds number of 60 on it falls with the square. It does
+// not depend on the time step if the expected speed is given.
 constexpr double recursive_magic(double cell_reynolds_number) {
     using namespace fitted;
     const double steep = std::max(1.0, cell_reynolds_number / steep_from_reynolds);
@@ -83,8 +83,7 @@ inline Collision choose_collision(const Options& options, const CollisionCase& n
 // The magic number that runs: that of the options if it is given.
 inline double choose_magic_number(const Options& options, const CollisionCase& now) {
     if (options.magic_number) return *options.magic_number;
-    const Collision chosen = choose_collision(options, now);
-    if (chosen == Collision::recursive_mrt)
+    if (now.holds_no_slip && choose_collision(options, now) == Collision::recursive_mrt)
         return recursive_magic(now.cell_reynolds_number);
     // 3/16 puts half-way walls exactly half way; (tau - 1/2) / 2 makes the odd rate 1.
     return reaches_trt(now.relaxation_time) ? 3.0 / 16 : (now.relaxation_time - 0.5) / 2;

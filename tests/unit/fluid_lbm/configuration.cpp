@@ -79,6 +79,18 @@ TEST(CollisionChoice, KeepsTheOddRateFromVanishing) {
     EXPECT_NEAR(odd(0.55 - 1e-7), odd(0.55), 1e-5);
 }
 
+// The wake of Turek and Hron's cylinder has a lift that is 4 % larger with the number
+// that belongs to bodies without slip.
+TEST(CollisionChoice, GivesRecursiveMrtTheMagicNumberOfTrtWhereNoBodyHoldsTheFluid) {
+    for (const double tau : {0.505, 0.549, 0.55, 0.8}) {
+        const auto trt = lattice_fluid({4, 4, 4}, tau, Collision::trt);
+        auto mrt = lattice_fluid({4, 4, 4}, tau, Collision::recursive_mrt);
+        EXPECT_DOUBLE_EQ(choose_magic_number(mrt), choose_magic_number(trt)) << tau;
+        mrt.holds_no_slip = true;
+        EXPECT_NE(choose_magic_number(mrt), choose_magic_number(trt)) << tau;
+    }
+}
+
 TEST(CollisionChoice, TakesTheMagicNumberFromTheCellsReynoldsNumber) {
     FluidConfig config = lattice_fluid({4, 4, 4}, 0.51, Collision::automatic);
     config.holds_no_slip = true;
