@@ -14,11 +14,12 @@ import pathlib
 import matplotlib.pyplot as plt
 import numpy as np
 
+import surface
 import theory
 from magfsi import plotting
+from surface import BOX, SHAPE
 
 HERE = pathlib.Path(__file__).resolve().parent
-SHAPE, BOX = (0.5, 2, 3, 0.3), (8, 4, 4)  # mm
 VISCOSITY, MAGNETIZATION, FIELD = 0.01, 2e3, 1e-3
 MOST_DEG = 800
 COLUMNS = ("frequency[Hz]", "turns[Hz]", "speed[m/s]")
@@ -31,8 +32,7 @@ def course(folder):
     scene = json.loads((folder / "scene.json").read_text())
     frequency = scene["magnetic_field"]["precession"]["frequency"]
     p = plotting.read_columns(folder / "probes.csv")
-    angle = np.unwrap(np.arctan2(p["start_z[m]"] - p["opposite_z[m]"], p["start_y[m]"] - p["opposite_y[m]"]))
-    return frequency, p["t[s]"], 2 * math.pi * frequency * p["t[s]"] - angle, p["helix.com_x[m]"]
+    return frequency, p["t[s]"], 2 * math.pi * frequency * p["t[s]"] - theory.angle_of(p), p["helix.com_x[m]"]
 
 
 def means(frequency, time, lag, x):
@@ -78,19 +78,18 @@ def main():
         chosen.reference.write_text("# Means of the runs of README.md.\n" + "\n".join([",".join(COLUMNS), *lines, ""]))
     plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
     figure, (lags, rates, speeds) = plt.subplots(1, 3, figsize=(10.2, 3.1), constrained_layout=True)
-    speed, torque = theory.in_periodic_box(*SHAPE, BOX)
+    speed, torque = surface.limit()
     moment = MAGNETIZATION * SHAPE[3]**2 * SHAPE[2] * theory.wire(*SHAPE[:2])[0] * 1e-9
     step_out = moment * FIELD / (VISCOSITY * 1e-9 * torque) / (2 * math.pi)
     draw_lags(lags, runs, step_out)
     f = np.linspace(0, 3.2, 400)
     turning = theory.turns_with_the_field(f, step_out)
     found = np.array([[frequency, *rest] for frequency, rest in sorted(rows.items())])
-    rates.plot(f, turning, color=ORANGE, lw=1.2, label="torque balance, slender body")
-    speeds.plot(f, 2 * math.pi * turning * speed, color=ORANGE, lw=1.2, label="slender body, in the box")
-    lighthill = theory.lighthill(*SHAPE)[0]
+    rates.plot(f, turning, color=ORANGE, lw=1.2, label="torque balance, wire's surface")
+    speeds.plot(f, 2 * math.pi * turning * speed, color=ORANGE, lw=1.2, label="forces on the wire's surface")
+    thin = theory.in_periodic_box(*SHAPE, BOX)[0]
     below = f <= step_out
-    speeds.plot(f[below], 2 * math.pi * f[below] * lighthill, color=ORANGE, lw=1, ls=":",
-                label="Lighthill's coefficients")
+    speeds.plot(f[below], 2 * math.pi * f[below] * thin, color=ORANGE, lw=1, ls=":", label="slender body")
     rates.plot(found[:, 0], found[:, 1], "o", color=BLUE, ms=4, label="simulated")
     speeds.plot(found[:, 0], 1e3 * found[:, 2], "o", color=BLUE, ms=4, label="simulated")
     for axes, label in ((rates, "turns of the helix [Hz]"), (speeds, "swims at [mm/s]")):

@@ -44,19 +44,25 @@ def in_periodic_box(radius, pitch, turns, side, box):
     pieces = round(turns * turn / (0.6 * thin))
     angle = (np.arange(pieces) + 0.5) / pieces * 2 * math.pi * turns
     at = np.stack([pitch * angle / (2 * math.pi), radius * np.cos(angle), radius * np.sin(angle)], 1)
-    mobility = _mobility(at, sigma, np.array(box, float))
+    spin = 4 * math.pi * thin**2 * cosine**2 * turns * turn
+    return of_a_free_body(at, mobility(at, sigma, np.array(box, float)), spin)
+
+
+def of_a_free_body(at, mobility, spin=0):
+    """(swimming speed, torque) of places that move as one about x, without a force on them or a torque but along
+    x; `spin` is added to the torque."""
     arm = at - [at[:, 0].mean(), 0, 0]
     unit = np.eye(3)
     motions = np.stack([np.broadcast_to(e, at.shape).ravel() for e in unit]
                        + [np.cross(e, arm).ravel() for e in unit], 1)
     resistance = motions.T @ np.linalg.solve(mobility, motions)
-    resistance[3, 3] += 4 * math.pi * thin**2 * cosine**2 * turns * turn
+    resistance[3, 3] += spin
     free = [0, 1, 2, 4, 5]
     motion = np.linalg.solve(resistance[np.ix_(free, free)], -resistance[free, 3])
     return motion[0], resistance[3, 3] + resistance[3, free] @ motion
 
 
-def _mobility(at, sigma, box):
+def mobility(at, sigma, box):
     """Velocities of all places by forces on all: (1 - kk/k^2) / k^2 exp(-k^2 sigma^2) over the waves."""
     largest = 3 / sigma  # beyond: exp(-9)
     most = (largest * box / (2 * math.pi)).astype(int)
@@ -77,6 +83,13 @@ def _mobility(at, sigma, box):
                 out[i, j] += (w * cosines).T @ cosines + (w * sines).T @ sines
                 out[j, i] = out[i, j]
     return out.transpose(2, 0, 3, 1).reshape(3 * len(at), 3 * len(at))
+
+
+def angle_of(probes):
+    """Angle by which the helix has turned about x. The middle of two points a turn apart is across from the one
+    between them: tilted by its wobble, the helix has the same angle."""
+    y, z = (probes[f"start_{c}[m]"] + probes[f"a_turn_on_{c}[m]"] - 2 * probes[f"opposite_{c}[m]"] for c in "yz")
+    return np.unwrap(np.arctan2(z, y))
 
 
 def turns_with_the_field(frequency, step_out):
