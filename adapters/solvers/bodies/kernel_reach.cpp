@@ -40,7 +40,9 @@ KernelReach reach_in(const scene::Scene& scene) {
     const double tau = scene::relaxation_time_at_bodies(scene).value_or(1);
     const double reynolds = fluid::cell_reynolds_number(
         *scene.fluid, scene.fluid->expected_speed_m_s, grid_m, tau);
-    const double magic = fluid::choose_magic_number(*scene.fluid, {tau, true, reynolds});
+    const bool moving_wall = fluid::has_moving_wall(*scene.fluid, grid_m, tau);
+    const double magic =
+        fluid::choose_magic_number(*scene.fluid, {tau, true, reynolds, moving_wall});
     return {grid_m, WallOfPlanes(kernel, tau, magic),
             WallOfPlanes(kernel, tau, magic, fitted::resolved_stokes_layer),
             edge(kernel, magic) * grid_m};
