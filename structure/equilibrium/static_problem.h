@@ -43,6 +43,12 @@ struct StaticLoads {
     std::vector<Vec3> driven_m{};
 };
 
+// Unit normal of a platform; zero without one.
+inline Eigen::Vector3d normal_of(const std::optional<Platform>& platform) {
+    if (!platform) return Eigen::Vector3d::Zero();
+    return Eigen::Map<const Eigen::Vector3d>(platform->normal.data()).normalized();
+}
+
 // Throws std::invalid_argument if the body cannot have an equilibrium: it consists of
 // separate parts, one of which is not held along all axes; it has weight along an axis on
 // which no clamp, roller or platform holds it, so that it would fall; or it is free along
