@@ -266,7 +266,8 @@ Closed read_closed(const std::string& file, double scale, const Vec3& shift) {
     Joined joined = join(read, 0);
     if (!joined.open.empty()) joined = join(read, same * size);
     if (!joined.open.empty() || !joined.turned.empty()) refuse_open(joined, file);
-    if (joined.triangles.empty()) refuse_file(file, "has no triangle with an area");
+    const auto without_area = [&] { refuse_file(file, "has no triangle with an area"); };
+    if (joined.triangles.empty()) without_area();
     Closed out;
     for (const Corners& corners : joined.triangles) {
         Triangle& t = out.triangles.emplace_back();
@@ -279,6 +280,12 @@ Closed read_closed(const std::string& file, double scale, const Vec3& shift) {
     for (Triangle& t : out.triangles) {
         for (Vec3& corner : t) corner = shift + scale * corner;
     }
+    // Points on a line, or closer than rounding of their place, have none either.
+    if (std::ranges::none_of(out.triangles, [](const Triangle& t) {
+            const Vec3 n = normal(t);
+            return dot(n, n) > 0;
+        }))
+        without_area();
     return out;
 }
 

@@ -186,7 +186,12 @@ TEST(RealSurfaces, AreRefusedWithPlaceAndRemedy) {
     comma.replace(comma.find("vertex 0 0"), 10, "vertex 0,5");
     Triangles infinite = cube;
     infinite[0][0][0] = INFINITY;
+    // Eight places on a line, of which fuzzing made a tree without a triangle.
+    const Triangles line = each(cube, [](auto& x) {
+        x = {x[0] + 2 * x[1] + 4 * x[2], 0, 0};
+    });
     const std::pair<std::string, std::vector<const char*>> wrong[] = {
+        {ascii(line), {"has no triangle with an area"}},
         {"", {"neither begins with \"solid\""}},
         {"PLY\nformat ascii 1.0\n", {"neither begins with \"solid\""}},
         {"solid nothing\nendsolid nothing\n", {"has no triangle"}},
