@@ -149,8 +149,9 @@ std::vector<Effect> effects_of(const Scene& s) {
          some_body([](const Body& body) { return !body.rigid.empty(); })},
         {structure, "rollers",
          some_body([](const Body& body) { return !body.rollers.empty(); })},
-        {structure, "prescribed motion",
-         some_body([](const Body& body) { return !body.prescribed_motion.empty(); })},
+        {structure, "prescribed motion", some_body([](const Body& body) {
+             return !body.prescribed_motion.empty() || body.moved() != nullptr;
+         })},
         {coupled, "immersed boundary", s.coupling.has_value()},
         {coupled, "buoyancy", s.coupling && s.gravity},
         {coupled, "overlap check",
