@@ -23,6 +23,7 @@
 #include "structure/body.h"
 #include "structure/lattice/lattice.h"
 #include "structure/lattice/rigid_mass.h"
+#include "structure/motion.h"
 
 namespace magfsi::lammps {
 
