@@ -113,6 +113,12 @@ bool is_all_rigid(const Body& body) {
            std::ranges::all_of(body.element_rigid, [](int part) { return part >= 0; });
 }
 
+bool has_moved_parts(std::span<const Body> bodies) {
+    return std::ranges::any_of(bodies, [](const Body& body) {
+        return std::ranges::any_of(body.rigid_parts, is_moved);
+    });
+}
+
 // Checks the numbers of the parts, then gives each node that of its elements.
 std::vector<int> rigid_part_of_nodes(const Body& body) {
     const std::size_t elements = body.mesh.elements.size();
@@ -167,7 +173,7 @@ void refuse_held_rigid_parts(const Body& body, const std::vector<HeldAxes>& held
         refuse(
             "a rigid part with a node that a clamp, a roller or a prescribed motion "
             "holds, {}; allowed are faces of soft elements only: leave the face out, or "
-            "hold the part by a pivot or a hinge",
+            "hold the part by a pivot or a hinge, or move it by moved",
             name_of_part(body, part[n]));
     }
 }

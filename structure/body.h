@@ -20,6 +20,11 @@ struct RigidPart {
     std::optional<RigidHold> hold;  // absent: it is free
 };
 
+// True if the motion of the part is prescribed.
+inline bool is_moved(const RigidPart& part) {
+    return part.hold && std::holds_alternative<RigidCourse>(*part.hold);
+}
+
 // A body as the solvers take it. It owns all of its data; one body is one fix magttice.
 struct Body {
     std::string name;
@@ -53,6 +58,9 @@ inline bool is_soft(const Body& body, std::size_t element) {
 
 // True if no element is soft.
 bool is_all_rigid(const Body& body);
+
+// True if a body has a rigid part in prescribed motion.
+bool has_moved_parts(std::span<const Body> bodies);
 
 // Number of each node's rigid part, -1 for the others; empty without rigid parts. Throws
 // std::invalid_argument unless element_rigid has one number of a part, or -1, for each

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prescribed motions of faces: nodes, consistency and course over time.
+// Prescribed motions of faces and rigid parts: nodes, consistency and course over time.
 #pragma once
 
 #include <vector>

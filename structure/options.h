@@ -274,16 +274,6 @@ struct Placement {
     std::optional<Vec3> angular_velocity_rad_s;
 };
 
-// Holds of a rigid part in space: a point that stays where it is, or an axis that does.
-struct Pivot {
-    Vec3 about_m{};
-};
-struct Hinge {
-    Vec3 axis{0, 0, 1};  // direction of any length
-    Vec3 about_m{};      // a point of the axis
-};
-using RigidHold = std::variant<Hinge, Pivot>;
-
 // Faces whose nodes keep their coordinate along one axis of space (0 x, 1 y, 2 z) and are
 // free along the others. One such face is a plane of symmetry; two opposite ones give
 // plane strain.
@@ -339,6 +329,34 @@ struct PrescribedMotion {
     std::vector<std::string> faces;
     MotionCourse course;
 };
+
+// Holds of a rigid part in space: a point that stays where it is, or an axis that does.
+struct Pivot {
+    Vec3 about_m{};
+};
+struct Hinge {
+    Vec3 axis{0, 0, 1};  // direction of any length
+    Vec3 about_m{};      // a point of the axis
+};
+// Or all of its motion, by a displacement, a turn, or both. The turn is made first: its
+// axis moves with the part.
+using Way = std::variant<Oscillation, DisplacementRamp, FormulaMotion>;
+struct RigidCourse {
+    std::optional<Way> way;
+    std::optional<TurningMotion> turning;
+
+    // Both, as far as they are there: the displacement of a turn and the turn of a
+    // displacement are zero, so that values of all may be summed.
+    std::vector<MotionCourse> courses() const {
+        std::vector<MotionCourse> all;
+        if (way)
+            all.push_back(
+                std::visit([](const auto& one) { return MotionCourse(one); }, *way));
+        if (turning) all.emplace_back(*turning);
+        return all;
+    }
+};
+using RigidHold = std::variant<Hinge, Pivot, RigidCourse>;
 
 // --- contact --------------------------------------------------------------------------
 

@@ -26,6 +26,12 @@ Matrix3d about(const RigidInertia& of, const Vec3& point_m) {
                                             arm * arm.transpose());
 }
 
+// The hold of the part if it is of this kind, else null.
+template <class Kind>
+const Kind* hold_of(const RigidInertia& part) {
+    return part.hold ? std::get_if<Kind>(&*part.hold) : nullptr;
+}
+
 // Turn about one principal axis, as the kinetic energy of that axis alone would make it:
 // it leaves the angular momentum in space unchanged. momentum: in the principal axes.
 void turn_about(int k, double time_s, const Vector3d& moment, Quaterniond& turn,
@@ -69,9 +75,10 @@ RigidMotion::RigidMotion(const RigidInertia& of) : start_(of) {
         refuse("a rigid part with a mass of {:g} kg found, it must be positive",
                of.mass_kg);
     start_place_m_ = of.centre_m;
-    if (is_held())
-        start_place_m_ =
-            std::visit([](const auto& hold) { return hold.about_m; }, *of.hold);
+    const auto* hinge = hold_of<Hinge>(of);
+    if (hinge) start_place_m_ = hinge->about_m;
+    if (const auto* pivot = hold_of<Pivot>(of)) start_place_m_ = pivot->about_m;
+    if (const auto* course = hold_of<RigidCourse>(of)) courses_ = course->courses();
     const Matrix3d inertia = about(of, start_place_m_);
     const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(inertia);
     moment_ = solver.eigenvalues();
@@ -84,7 +91,7 @@ RigidMotion::RigidMotion(const RigidInertia& of) : start_(of) {
     Matrix3d axes = solver.eigenvectors();
     if (axes.determinant() < 0) axes.col(0) *= -1;
     axes_ = Quaterniond(axes).normalized();
-    if (const auto* hinge = is_held() ? std::get_if<Hinge>(&*of.hold) : nullptr) {
+    if (hinge) {
         if (!(norm(hinge->axis) > 0)) refuse("a hinge needs an axis with a direction");
         axis_ = as_eigen(hinge->axis).normalized();
         about_axis_kg_m2_ = axis_.dot(inertia * axis_);
@@ -95,13 +102,19 @@ RigidMotion::RigidMotion(const RigidInertia& of) : start_(of) {
 
 void RigidMotion::set_velocity(const Vec3& velocity_m_s,
                                const Vec3& angular_velocity_rad_s) {
+    if (is_prescribed()) return;
     velocity_ = is_held() ? Vec3{} : velocity_m_s;
     const Vector3d rate = as_eigen(angular_velocity_rad_s);
     if (about_axis_kg_m2_ > 0) {
         momentum_ = as_vec3(about_axis_kg_m2_ * axis_.dot(rate) * axis_);
         return;
     }
-    momentum_ = as_vec3(turn_ * moment_.cwiseProduct(turn_.conjugate() * rate).eval());
+    momentum_ = momentum_of(angular_velocity_rad_s);
+}
+
+Vec3 RigidMotion::momentum_of(const Vec3& rate_rad_s) const {
+    const Vector3d in_axes = turn_.conjugate() * as_eigen(rate_rad_s);
+    return as_vec3(turn_ * moment_.cwiseProduct(in_axes).eval());
 }
 
 void RigidMotion::set_load(const Vec3& force_n, const Vec3& torque_n_m) {
@@ -135,6 +148,32 @@ void RigidMotion::slow_down(double left) {
     momentum_ *= left;
 }
 
+// The course turns the part about its axis first and moves it then.
+void RigidMotion::follow(double time_s) {
+    Vec3 shift_m{}, linear_m_s{}, rate_rad_s{};
+    Turn turn;
+    for (const MotionCourse& course : courses_) {
+        shift_m += displacement_m(course, time_s);
+        linear_m_s += magfsi::structure::velocity_m_s(course, time_s);
+        rate_rad_s += turn_rate_rad_s(course, time_s).vector;
+        const Turn one = turn_rad(course, time_s);
+        turn.vector += one.vector;
+        turn.about_m += one.about_m;
+    }
+    const Vec3 arm_m = start_place_m_ - turn.about_m;
+    const Vec3 turned_m = arm_m + turned_by_m(turn.vector, arm_m);
+    place_m_ = turn.about_m + turned_m + shift_m;
+    velocity_ = linear_m_s + cross(rate_rad_s, turned_m);
+    momentum_ = rate_rad_s;
+    const double angle = norm(turn.vector);
+    turn_ = axes_;
+    if (angle > 0) {
+        const Vector3d v = std::sin(0.5 * angle) / angle * as_eigen(turn.vector);
+        turn_ =
+            (Quaterniond(std::cos(0.5 * angle), v[0], v[1], v[2]) * axes_).normalized();
+    }
+}
+
 Vec3 RigidMotion::place_of(const Vec3& at_start_m) const {
     return RigidPlace(*this).of(at_start_m);
 }
@@ -144,16 +183,21 @@ Vec3 RigidMotion::velocity_at(const Vec3& place_m) const {
 }
 
 Vec3 RigidMotion::angular_velocity_rad_s() const {
+    if (is_prescribed()) return momentum_;
     const Vector3d momentum = as_eigen(momentum_);
     if (about_axis_kg_m2_ > 0) return as_vec3(momentum / about_axis_kg_m2_);
     const Vector3d in_axes = turn_.conjugate() * momentum;
     return as_vec3(turn_ * in_axes.cwiseQuotient(moment_).eval());
 }
 
+Vec3 RigidMotion::angular_momentum_kg_m2_s() const {
+    return is_prescribed() ? momentum_of(momentum_) : momentum_;
+}
+
 // About a point that is held, the energy of the turn is all of it.
 double RigidMotion::kinetic_j() const {
     return 0.5 * start_.mass_kg * dot(velocity_, velocity_) +
-           0.5 * dot(momentum_, angular_velocity_rad_s());
+           0.5 * dot(angular_momentum_kg_m2_s(), angular_velocity_rad_s());
 }
 
 std::array<double, RigidMotion::state_values> RigidMotion::state() const {

@@ -105,6 +105,8 @@ std::string recommended(const scene::Scene& scene, double min_ratio) {
             "seen to be stable",
             fitted::min_serial_ratio);
     }
+    if (scene::light_in_contact(scene))
+        return "implicit: light bodies in contact rattle in the serial scheme";
     if (scene.coupling->immersed_boundary.strength > 2)
         return "serial: the implicit scheme has diverged at strengths above 2";
     return "serial: stable here; implicit where the inertia of light bodies or the "

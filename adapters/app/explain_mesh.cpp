@@ -30,6 +30,19 @@ std::string in_percent(double error) {
     return fmt::format("{:+.2g} %", 100 * error);
 }
 
+// How a rigid part is held.
+std::string words_of(const structure::Hinge&) {
+    return ", on a hinge";
+}
+std::string words_of(const structure::Pivot&) {
+    return ", on a pivot";
+}
+std::string words_of(const structure::RigidCourse& moved) {
+    return fmt::format(", {}{}{} as prescribed", moved.way ? "moved" : "",
+                       moved.way && moved.turning ? " and " : "",
+                       moved.turning ? "turned" : "");
+}
+
 }  // namespace
 
 std::string explain_error(const scene::Scene& scene, const scene::Body& body,
@@ -105,10 +118,10 @@ std::string explain_rigid_parts(const structure::Body& solid) {
             structure::rigid_mass(solid, static_cast<int>(p), solid.mesh.nodes);
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(mass.inertia_kg_m2);
         const Eigen::Vector3d moments = axes.eigenvalues();
-        const char* const held = !part.hold ? ""
-                                 : std::holds_alternative<structure::Hinge>(*part.hold)
-                                     ? ", on a hinge"
-                                     : ", on a pivot";
+        const std::string held =
+            part.hold
+                ? std::visit([](const auto& hold) { return words_of(hold); }, *part.hold)
+                : "";
         text += fmt::format(
             "    rigid{}: mass {:.4g} mg with what its neighbours lend it, principal "
             "moments {:.4g}, {:.4g}, {:.4g} mg mm2{}\n",

@@ -264,23 +264,6 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
     }
 }
 
-// A turn needs an axis and an angle at all times of a run over time. On a path of
-// equilibria all nodes of a face have one displacement.
-void check_turning(const Scene& scene, const Body& body, const TurningMotion& turning,
-                   const std::string& number, const Marks& marks) {
-    const auto at = [&](const char* name) -> const Origin& {
-        return marks.value(
-            {"bodies", body.name, "prescribed_motion", number, "turning", name});
-    };
-    require(norm(turning.axis) > 0, at("axis"), "an axis of length 0",
-            "any other vector such as [0, 1, 0]");
-    require(!scene.time.equilibrium, at("axis"),
-            "a face that turns on a path of equilibria", "it in runs over time",
-            "remove time.equilibrium, or move the face by oscillation, ramp or formula");
-    if (const auto* angle = std::get_if<Formula>(&turning.angle))
-        largest_size(*angle, scene.time.end_s, at("angle"));
-}
-
 // A face may be held or moved once; moved faces need Newton's method on paths of
 // equilibria.
 void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks) {
@@ -297,17 +280,19 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
                 path || scene.time.start == RunStart::equilibrium,
             here, "a displacement in a run that starts with bodies as they are placed",
             "it with an equilibrium to start from", "add time.start: equilibrium");
-        if (const auto* way =
-                std::get_if<FormulaMotion>(&body.prescribed_motion[i].course)) {
-            for (std::size_t d = 0; d < 3; ++d)
-                largest_size(way->component_m[d], scene.time.end_s,
-                             marks.value({"bodies", body.name, "prescribed_motion",
-                                          std::to_string(i), "formula",
-                                          std::string(axis_names[d])}));
-        }
-        if (const auto* turning =
-                std::get_if<TurningMotion>(&body.prescribed_motion[i].course))
-            check_turning(scene, body, *turning, std::to_string(i), marks);
+        const auto at = [&](const char* kind, const char* name) -> const Origin& {
+            return marks.value({"bodies", body.name, "prescribed_motion",
+                                std::to_string(i), kind, name});
+        };
+        check_course(body.prescribed_motion[i].course, scene.time.end_s, at);
+        // On a path of equilibria all nodes of a face have one displacement.
+        require(
+            !std::holds_alternative<TurningMotion>(body.prescribed_motion[i].course) ||
+                !path,
+            at("turning", "axis"), "a face that turns on a path of equilibria",
+            "it in runs over time",
+            "remove time.equilibrium, or move the face by oscillation, ramp or "
+            "formula");
         for (const std::string& face : body.prescribed_motion[i].faces) {
             check_face(body, face, "prescribed_motion", here);
             require(std::ranges::find(held, face) == held.end(), here,
@@ -356,6 +341,20 @@ double farthest_from_axis_m(const Body& body, const TurningMotion& turning) {
 
 }  // namespace
 
+void check_course(const MotionCourse& course, double end_s, const CourseMarks& at) {
+    if (const auto* way = std::get_if<FormulaMotion>(&course)) {
+        constexpr std::array<const char*, 3> components{"x", "y", "z"};
+        for (std::size_t d = 0; d < 3; ++d)
+            largest_size(way->component_m[d], end_s, at("formula", components[d]));
+    }
+    const auto* turning = std::get_if<TurningMotion>(&course);
+    if (!turning) return;
+    require(norm(turning->axis) > 0, at("turning", "axis"), "an axis of length 0",
+            "any other vector such as [0, 1, 0]");
+    if (const auto* angle = std::get_if<Formula>(&turning->angle))
+        largest_size(*angle, end_s, at("turning", "angle"));
+}
+
 // n is the extent in marker spacings; both sides of all three pairs of faces count.
 double most_markers(const Scene& scene, const Vec3& extent_m) {
     if (!scene.coupling || !scene.fluid) return 0;
@@ -401,16 +400,16 @@ void check_bodies(const Scene& scene, const Marks& marks) {
 // Peak speeds: 2 pi f A of an oscillation, pi / 2 of the mean speed of a ramp by (1 -
 // cos) / 2, sampled for formulas and turns. The speed of a turn is that of the block's
 // farthest corner; of other meshes, whose extent is not known here, it is not checked.
-double largest_speed_m_s(const Body& body, const PrescribedMotion& motion, double end_s) {
+double largest_speed_m_s(const Body& body, const MotionCourse& course, double end_s) {
     constexpr double pi = std::numbers::pi;
-    if (const auto* turning = std::get_if<TurningMotion>(&motion.course))
+    if (const auto* turning = std::get_if<TurningMotion>(&course))
         return largest_rate_rad_s(*turning, end_s) * farthest_from_axis_m(body, *turning);
-    if (const auto* o = std::get_if<Oscillation>(&motion.course))
+    if (const auto* o = std::get_if<Oscillation>(&course))
         return 2 * pi * o->frequency_hz * norm(o->amplitude_m);
-    if (const auto* ramp = std::get_if<DisplacementRamp>(&motion.course))
+    if (const auto* ramp = std::get_if<DisplacementRamp>(&course))
         return pi / 2 * norm(ramp->displacement_m) / ramp->duration_s;
-    if (std::holds_alternative<HeldDisplacement>(motion.course)) return 0;
-    const auto& formula = std::get<FormulaMotion>(motion.course);
+    if (std::holds_alternative<HeldDisplacement>(course)) return 0;
+    const auto& formula = std::get<FormulaMotion>(course);
     double largest = 0;
     for (int i = 0; i <= 1000; ++i)
         largest =

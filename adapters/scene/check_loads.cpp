@@ -73,6 +73,19 @@ void check_no_slip(const Scene& scene, const Marks& marks) {
            objection->found, objection->allowed, objection->suggestion);
 }
 
+// The default avoids this (usual_scheme).
+void check_scheme(const Scene& scene, const Marks& marks) {
+    const Body* light = light_in_contact(scene);
+    if (!light || scene.coupling->scheme != Scheme::serial) return;
+    refuse(marks.value({"coupling", "scheme"}),
+           fmt::format("serial with contact of {}, of {:.3g} times the fluid's density, "
+                       "which would rattle",
+                       in_quotes(light->name), lightest_ratio(scene, *light)),
+           fmt::format("implicit, or densities from {:g} times the fluid's on",
+                       least_serial_contact_ratio),
+           "write implicit, or remove this key");
+}
+
 void check_coupling(const Coupling& coupling, const Marks& marks) {
     const Scheme scheme = coupling.scheme;
     const auto& boundary = coupling.immersed_boundary;
@@ -267,6 +280,7 @@ void check_loads(const Scene& scene, const Marks& marks) {
     const bool own = scene.has_own_structure();
     if (own) check_own_structure(scene, marks);
     if (own || with_bodies(scene.coupling.has_value(), "coupling")) {
+        check_scheme(scene, marks);
         check_coupling(*scene.coupling, marks);
         check_no_slip(scene, marks);
     }

@@ -56,23 +56,41 @@ void check_names(const Body& body, const Marks& marks) {
 void check_holds(const Body& body, const Marks& marks) {
     const bool whole = body.is_all_rigid();
     const auto without = [&](bool given, const char* name) {
-        require(!given || !whole, marks.key({"bodies", body.name, name}),
-                fmt::format("{} of a rigid body", name), "it for soft faces",
-                "hold the body by pivot or hinge, or leave it out of the scene and take "
-                "an obstacle");
+        require(
+            !given || !whole, marks.key({"bodies", body.name, name}),
+            fmt::format("{} of a rigid body", name), "it for soft faces",
+            "hold the body by pivot or hinge, move it by moved, or leave it out of the "
+            "scene and take an obstacle");
     };
     without(!body.clamps.empty(), "clamps");
     without(!body.rollers.empty(), "rollers");
     without(!body.prescribed_motion.empty(), "prescribed_motion");
     if (!body.hold) return;
     const bool hinge = std::holds_alternative<Hinge>(*body.hold);
-    const char* const name = hinge ? "hinge" : "pivot";
-    require(body.rigid.size() == 1, marks.key({"bodies", body.name, name}),
-            fmt::format("a {} of a body with {} rigid parts", name, body.rigid.size()),
-            "it for a body with one", "add rigid: true, or the name of one region");
+    const char* const name = hinge ? "hinge" : body.moved() ? "moved" : "pivot";
+    require(
+        body.rigid.size() == 1, marks.key({"bodies", body.name, name}),
+        body.moved()
+            ? fmt::format("moved for a body with {} rigid parts", body.rigid.size())
+            : fmt::format("a {} of a body with {} rigid parts", name, body.rigid.size()),
+        "it for a body with one", "add rigid: true, or the name of one region");
     require(!hinge || norm(std::get<Hinge>(*body.hold).axis) > 0,
             marks.value({"bodies", body.name, "hinge", "axis"}), "an axis of length 0",
             "any other vector such as [0, 1, 0]");
+}
+
+// A prescribed motion has a course at all times of the run.
+void check_moved(const Scene& scene, const Body& body, const Marks& marks) {
+    const RigidCourse* moved = body.moved();
+    if (!moved) return;
+    require(moved->way || moved->turning, marks.key({"bodies", body.name, "moved"}),
+            "moved without a motion",
+            "oscillation, ramp or formula, or turning, or one of them with it");
+    const auto at = [&](const char* kind, const char* name) -> const Origin& {
+        return marks.value({"bodies", body.name, "moved", kind, name});
+    };
+    for (const MotionCourse& course : moved->courses())
+        check_course(course, scene.time.end_s, at);
 }
 
 // The grid's fluid inside a body starts at rest: it would take a share of the motion.
@@ -94,6 +112,11 @@ void check_start(const Body& body, bool in_fluid, const Marks& marks) {
             "an angular velocity at the start in a fluid, which is at rest then, inside "
             "the body, too",
             "it in scenes without a fluid", "let a torque turn the body");
+    require(!body.moved() || !initial.velocity_m_s, key("velocity"),
+            "a velocity of a body whose motion is prescribed", "it for free bodies");
+    require(!body.moved() || !initial.angular_velocity_rad_s, key("angular_velocity"),
+            "an angular velocity of a body whose motion is prescribed",
+            "it for free bodies, and those on a hinge or a pivot");
     require(!body.hold || !initial.velocity_m_s, key("velocity"),
             "a velocity of a body that is held", "it for free bodies",
             "give its angular_velocity");
@@ -125,6 +148,7 @@ void check_rigid_parts(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         check_names(body, marks);
         check_holds(body, marks);
+        check_moved(scene, body, marks);
         check_start(body, scene.fluid.has_value(), marks);
         require(body.rigid.empty() || !scene.time.equilibrium,
                 marks.key({"bodies", body.name, "rigid"}),

@@ -64,10 +64,17 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
     }
     for (const Body& body : scene.bodies) {
         for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i)
-            check_speed(
-                largest_speed_m_s(body, body.prescribed_motion[i], scene.time.end_s),
-                "the prescribed motion's largest speed",
-                marks.item({"bodies", body.name, "prescribed_motion"}, i), fluid, dt_s);
+            check_speed(largest_speed_m_s(body, body.prescribed_motion[i].course,
+                                          scene.time.end_s),
+                        "the prescribed motion's largest speed",
+                        marks.item({"bodies", body.name, "prescribed_motion"}, i), fluid,
+                        dt_s);
+        if (!body.moved()) continue;
+        double largest = 0;
+        for (const MotionCourse& course : body.moved()->courses())
+            largest += largest_speed_m_s(body, course, scene.time.end_s);
+        check_speed(largest, "the prescribed motion's largest speed",
+                    marks.key({"bodies", body.name, "moved"}), fluid, dt_s);
     }
 }
 

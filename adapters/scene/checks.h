@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -118,7 +119,12 @@ inline std::string seconds(double value) {
     return format_si(value, "s");
 }
 // Largest speed [m/s] of a body's prescribed motion within the run.
-double largest_speed_m_s(const Body& body, const PrescribedMotion& motion, double end_s);
+double largest_speed_m_s(const Body& body, const MotionCourse& course, double end_s);
+// Checks that the axis of a prescribed motion has a direction and that its formulas have
+// values at all times of the run. The marks give the place of a key by its kind of course
+// and its name.
+using CourseMarks = std::function<const Origin&(const char* kind, const char* name)>;
+void check_course(const MotionCourse& course, double end_s, const CourseMarks& at);
 // Largest magnitude of a formula over the run, sampled at 1001 instants including both
 // ends. Refuses a formula without a finite value at one of them; a fault in between stops
 // the run when it is met.

@@ -149,8 +149,9 @@ std::vector<Effect> effects_of(const Scene& s) {
          some_body([](const Body& body) { return !body.rigid.empty(); })},
         {structure, "rollers",
          some_body([](const Body& body) { return !body.rollers.empty(); })},
-        {structure, "prescribed motion",
-         some_body([](const Body& body) { return !body.prescribed_motion.empty(); })},
+        {structure, "prescribed motion", some_body([](const Body& body) {
+             return !body.prescribed_motion.empty() || body.moved() != nullptr;
+         })},
         {coupled, "immersed boundary", s.coupling.has_value()},
         {coupled, "buoyancy", s.coupling && s.gravity},
         {coupled, "overlap check",
@@ -325,6 +326,22 @@ void check_gravity(const Gravity& gravity, const Scene& scene, Lines& lines) {
 }
 
 }  // namespace
+
+double lightest_ratio(const Scene& scene, const Body& body) {
+    double lightest = body.material.density_kg_m3;
+    for (const auto& region : body.material_regions)
+        lightest = std::min(lightest, region.material.density_kg_m3);
+    return lightest / scene.fluid->density_kg_m3;
+}
+
+const Body* light_in_contact(const Scene& scene) {
+    if (!scene.fluid || !(scene.contact || scene.platform)) return nullptr;
+    const auto light = [&](const Body& body) {
+        return lightest_ratio(scene, body) < least_serial_contact_ratio;
+    };
+    const auto found = std::ranges::find_if(scene.bodies, light);
+    return found == scene.bodies.end() ? nullptr : &*found;
+}
 
 std::vector<std::string> idle_effects(const Scene& scene) {
     Lines lines;

@@ -119,7 +119,7 @@ void periods(Io& io, Course& oscillation) {
        oscillation.phase_rad);
 }
 
-// Keys of `prescribed_motion[].oscillation`, and the motion of a field source.
+// Keys of `prescribed_motion[].oscillation`, of `moved`, and the motion of a field source.
 template <class Io>
 void keys(Io& io, Oscillation& oscillation) {
     io(quantity("amplitude", "m", "Amplitudes along x, y and z."), oscillation.amplitude_m);
@@ -154,7 +154,8 @@ void keys(Io& io, AngleOscillation& oscillation) {
 template <class Io>
 void keys(Io& io, TurningMotion& turning) {
     io(key("axis",
-           "Axis about which the face turns, right-handed. Its length does not matter."),
+           "Axis about which the face or the part turns, right-handed. Its length does not "
+           "matter."),
        turning.axis);
     io(quantity("about", "m",
            "A point of the axis in space, where the body has been placed."), turning.about_m);
@@ -244,6 +245,22 @@ void keys(Io& io, Pivot& pivot) {
        pivot.about_m);
 }
 
+// Keys of `moved`.
+template <class Io>
+void keys(Io& io, RigidCourse& moved) {
+    io.alternatives(moved.way,
+        key("oscillation",
+           "Displacement amplitude (sin(2 pi frequency t + phase) - sin(phase))."),
+        key("ramp",
+           "Displacement that grows by (1 - cos(pi t / duration)) / 2 and is then kept."),
+        key("formula",
+           "Formulas of the time t for the components of the displacement, which counts "
+           "from its value at time 0."));
+    io(key("turning",
+           "Turn about an axis whose direction is fixed in space. With a displacement the axis "
+           "is moved by it, too."), moved.turning);
+}
+
 // Keys of `bodies.NAME` itself.
 template <class Io>
 void keys(Io& io, Body& body) {
@@ -314,7 +331,10 @@ void keys(Io& io, Body& body) {
        body.rigid);
     io.alternatives(body.hold,
         key("hinge", "Holds the body's one rigid part on an axis."),
-        key("pivot", "Holds the body's one rigid part at a point."));
+        key("pivot", "Holds the body's one rigid part at a point."),
+        key("moved",
+           "Moves and turns the body's one rigid part as prescribed, from where it starts, "
+           "whatever the forces on it."));
     io(key("initial",
            "State of the body at time 0: it is relaxed first, then rotated, then placed.").optional(),
        body.initial);

@@ -65,7 +65,8 @@ void keys(Io& io, ImmersedBoundary& boundary) {
 template <class Io>
 void keys(Io& io, Coupling& coupling) {
     io(key("scheme", "serial: structure and fluid take turns; implicit: they repeat each step "
-           "until it has converged.").by_default(),
+           "until it has converged. Without it: serial, but implicit where bodies of less than "
+           "half of the fluid's density have contact.").optional(),
        coupling.scheme);
     io(key("structure",
            "Origin of the bodies. bodies: those of the scene; own: a program of yours, "

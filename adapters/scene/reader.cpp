@@ -28,6 +28,11 @@ void normalise(Vec3& v) {
     v /= length > 0 ? length : 1;
 }
 
+// Default scheme: serial, unless that is known to be wrong.
+Scheme usual_scheme(const Scene& scene) {
+    return light_in_contact(scene) ? Scheme::implicit : Scheme::serial;
+}
+
 // Fills in defaults of the coupling that depend on the scheme.
 void complete(Coupling& coupling) {
     const bool implicit = coupling.scheme == Scheme::implicit;
@@ -47,7 +52,7 @@ coupler::Forcing usual_forcing(const Scene& scene) {
 
 // Fills in defaults that depend on other keys, and makes file names relative to the
 // scene's folder.
-void complete(Scene& scene, const std::filesystem::path& folder) {
+void complete(Scene& scene, const Marks& marks, const std::filesystem::path& folder) {
     for_each_named_file(scene,
                         [&](std::string& file) { file = (folder / file).string(); });
     for (Body& body : scene.bodies) {
@@ -61,6 +66,7 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
     if (!scene.coupling) return;
+    if (!marks.has({"coupling", "scheme"})) scene.coupling->scheme = usual_scheme(scene);
     complete(*scene.coupling);
     auto& forcing = scene.coupling->immersed_boundary.forcing;
     if (!forcing) forcing = usual_forcing(scene);
@@ -84,7 +90,7 @@ Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
     TreeReader reader(root, scene_fields());
     keys(reader, scene);
     scene.folder = folder;
-    complete(scene, folder);
+    complete(scene, Marks(root), folder);
     return scene;
 }
 

@@ -115,6 +115,10 @@ struct Body {
     Placement initial;
 
     bool is_all_rigid() const { return rigid == std::vector<std::string>{"true"}; }
+    // The prescribed motion of the rigid part, else null.
+    const RigidCourse* moved() const {
+        return hold ? std::get_if<RigidCourse>(&*hold) : nullptr;
+    }
 };
 
 // --- loads --------------------------------------------------------------------------

@@ -17,9 +17,9 @@ namespace magfsi::structure {
 namespace {
 
 // Groups that a script may have besides those of bodies and motions. LAMMPS has 32. The
-// last one is there with rigid parts only.
-const std::vector<std::string> own_groups{"all",    "clamped", "moving", "held_x",
-                                          "held_y", "held_z",  "rigid"};
+// last two are there with rigid parts, and with some in prescribed motion, only.
+const std::vector<std::string> own_groups{
+    "all", "clamped", "moving", "held_x", "held_y", "held_z", "rigid", moved_parts_group};
 constexpr std::size_t groups_without_rigid_parts = 6, max_groups = 32;
 
 std::string sanitized(const std::string& name) {
@@ -36,7 +36,8 @@ std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
                                       std::size_t motions) {
     const bool rigid = std::ranges::any_of(
         bodies, [](const Body& body) { return !body.rigid_parts.empty(); });
-    const std::size_t most = max_groups - groups_without_rigid_parts - (rigid ? 1 : 0);
+    const std::size_t most = max_groups - groups_without_rigid_parts - (rigid ? 1 : 0) -
+                             (has_moved_parts(bodies) ? 1 : 0);
     if (bodies.size() + motions > most) {
         refuse(
             "{} bodies and {} prescribed motions found, LAMMPS has groups for {} of both",

@@ -22,6 +22,8 @@ std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
 std::string held_group(std::size_t axis);
 // Group of the nodes of a prescribed motion, counted from 0.
 std::string moved_group(std::size_t motion);
+// Group of the nodes of all rigid parts in prescribed motion.
+constexpr const char* moved_parts_group = "moved_parts";
 
 // A path as one word of a script, to be read by our styles: in quotes or, if LAMMPS would
 // change it, encoded by words::path_word.

@@ -28,8 +28,9 @@ class MovesRigidParts {
     // Numbers that continue the motion exactly: RigidMotion::state_values for each part.
     virtual std::vector<double> states() const = 0;
     virtual void put_states(std::span<const double> states) = 0;
-    // Kinetic energy [J] that the parts have beyond that of the masses at their nodes.
-    virtual double kinetic_beyond_nodes_j() const = 0;
+    // Kinetic energy [J] that the parts in prescribed motion, or all others, have beyond
+    // that of the masses at their nodes.
+    virtual double kinetic_beyond_nodes_j(bool of_prescribed) const = 0;
 };
 
 }  // namespace magfsi::structure

@@ -60,6 +60,15 @@ class SameBytes(unittest.TestCase):
         self.same(RIGID, RIGID_PARTS, "7.2 ms", "structure=1")
         self.same(RIGID, RIGID_PARTS, "7.2 ms", "structure=3")
 
+    # Their places are those of the step's number.
+    def test_a_moved_rigid_part(self):
+        moved = {**RIGID_PARTS, "bodies.ball": RIGID_PARTS["bodies.ball"].replace(
+            ", angular_velocity: [30 rad/s, 90 rad/s, 20 rad/s]}", "}, moved: {formula: {x: 1 mm*sin(2*pi*"
+            "90 Hz*t), z: 0.2 m/s*t}, turning: {axis: [1, 2, 3], about: [0 mm, 4 mm, 0 mm], angle: "
+            "300 rad/s*t}}")}
+        for ranks in ("structure=1", "structure=3"):
+            self.same(RIGID, moved, "7.2 ms", ranks)
+
     # Its place is that of the step's number.
     def test_a_moved_face(self):
         wave = "{amplitude: [0.1 mm, 0 m, 0.2 mm], frequency: 100 Hz, phase: -90 deg}"

@@ -66,6 +66,8 @@ void attach_audit(const StructureRun& run) {
     std::vector<std::string> moved;
     for (std::size_t m = 0; m < run.input.motions.size(); ++m)
         moved.push_back(structure::moved_group(m));
+    if (structure::has_moved_parts(run.input.bodies))
+        moved.emplace_back(structure::moved_parts_group);
     run.engine->attach_audit(run.input.drag ? run.input.drag->rate_1_s : 0, moved);
 }
 

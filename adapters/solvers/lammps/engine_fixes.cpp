@@ -47,7 +47,7 @@ class FixFluidForce : public LAMMPS_NS::Fix {
 class FixAudit : public LAMMPS_NS::Fix {
   public:
     // RATE is the rate [1/s] of fix magttice/drag, or 0; the groups are those of fixes
-    // magttice/motion.
+    // magttice/motion and of the parts of fix magttice/rigid whose motion is prescribed.
     FixAudit(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
     int setmask() override;
@@ -122,10 +122,10 @@ double FixAudit::power_on_moved_w() const {
 // beyond their nodes is the first rank's.
 double FixAudit::kinetic_energy_j(bool of_moved) const {
     double sum = 0;
-    for (int i = 0; !of_moved && comm->me == 0 && i < modify->nfix; ++i) {
+    for (int i = 0; comm->me == 0 && i < modify->nfix; ++i) {
         if (const auto* rigid =
                 dynamic_cast<const structure::MovesRigidParts*>(modify->fix[i]))
-            sum += rigid->kinetic_beyond_nodes_j();
+            sum += rigid->kinetic_beyond_nodes_j(of_moved);
     }
     for (int i = 0; i < atom->nlocal; ++i) {
         if (moved(i) != of_moved) continue;

@@ -23,6 +23,7 @@
 #include "structure/body.h"
 #include "structure/lattice/lattice.h"
 #include "structure/lattice/rigid_mass.h"
+#include "structure/motion.h"
 
 namespace magfsi::lammps {
 
@@ -63,10 +64,24 @@ double largest_drag_rate(const scene::Scene& scene, const bodies::Solids& solids
             if (!part.empty() && part[n] >= 0) continue;
             largest = std::max(largest, drag[n] / mass[n]);
         }
-        for (std::size_t p = 0; p < solids[b].rigid_parts.size(); ++p)
+        for (std::size_t p = 0; p < solids[b].rigid_parts.size(); ++p) {
+            if (structure::is_moved(solids[b].rigid_parts[p])) continue;
             largest = std::max(
                 largest, structure::rate_on_part(solids[b], static_cast<int>(p), drag));
+        }
     }
+    return largest;
+}
+
+// Largest rate at which a prescribed motion turns within the run [rad/s], by samples.
+double largest_rate_rad_s(const structure::RigidCourse& moved, double end_s) {
+    if (!moved.turning) return 0;
+    constexpr int samples = 1000;
+    double largest = 0;
+    for (int i = 0; i <= samples; ++i)
+        largest = std::max(
+            largest,
+            norm(structure::turn_rate_rad_s(*moved.turning, end_s * i / samples).vector));
     return largest;
 }
 
@@ -86,6 +101,14 @@ double rigid_step_s(const scene::Scene& scene, const structure::LammpsInput& inp
         const structure::Body& body = input.bodies[b];
         for (std::size_t p = 0; p < body.rigid_parts.size(); ++p) {
             const int part = static_cast<int>(p);
+            if (structure::is_moved(body.rigid_parts[p])) {
+                const double rate =
+                    of_free_turns * largest_rate_rad_s(std::get<structure::RigidCourse>(
+                                                           *body.rigid_parts[p].hold),
+                                                       scene.time.end_s);
+                fastest = std::max(fastest, rate * rate);
+                continue;
+            }
             const auto mass = structure::rigid_mass(body, part, body.mesh.nodes);
             const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
                 mass.inertia_kg_m2, Eigen::EigenvaluesOnly);

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "structure/lammps/effects/prescribed_motion/motion_law.h"
+#include "structure/lammps/motion_law.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 

@@ -39,7 +39,7 @@ TEST(Keys, of_rubber) {
 
 TEST(Keys, of_rigid_parts_and_round_bodies) {
     const auto bodies = complete("rigid.yaml").bodies;
-    ASSERT_EQ(bodies.size(), 6u);  // by the alphabet
+    ASSERT_EQ(bodies.size(), 9u);  // by the alphabet
     EXPECT_EQ(bodies[0].rigid, std::vector<std::string>{"tip"});
     EXPECT_FALSE(bodies[0].is_all_rigid());
     EXPECT_TRUE(bodies[1].is_all_rigid());
@@ -55,12 +55,33 @@ TEST(Keys, of_rigid_parts_and_round_bodies) {
               (CylinderMesh{0.5e-3, 3e-3, {1, 1, 6}}));
     EXPECT_EQ(std::get<Hinge>(*bodies[3].hold).axis, (Vec3{0, 0, 2}));
     EXPECT_EQ(std::get<Hinge>(*bodies[3].hold).about_m, (Vec3{4e-3, 5e-3, 6e-3}));
-    EXPECT_TRUE(bodies[4].rigid.empty());
-    EXPECT_EQ(std::get<ConeMesh>(bodies[4].mesh),
+    EXPECT_TRUE(bodies[6].rigid.empty());
+    EXPECT_EQ(std::get<ConeMesh>(bodies[6].mesh),
               (ConeMesh{{1e-3, 0.2e-3}, 2e-3, {2, 1, 5}}));
     EXPECT_EQ(
-        std::get<WireMesh>(bodies[5].mesh),
+        std::get<WireMesh>(bodies[8].mesh),
         (WireMesh{0.5e-3, 1e-3, 3, 0.2e-3, {1, 1, 60}, true, WireHead{0.8e-3, 1e-3}}));
+}
+
+TEST(Keys, of_rigid_parts_in_prescribed_motion) {
+    const auto bodies = complete("rigid.yaml").bodies;
+    EXPECT_EQ(bodies[3].moved(), nullptr);
+    const RigidCourse* hand = bodies[4].moved();
+    ASSERT_NE(hand, nullptr);
+    EXPECT_EQ(
+        structure::value_at(std::get<FormulaMotion>(*hand->way).component_m[1].si, 0.5),
+        1e-3);
+    EXPECT_EQ(hand->turning->axis, (Vec3{1, 2, 2}));
+    EXPECT_EQ(hand->turning->about_m, (Vec3{1e-3, 2e-3, 3e-3}));
+    EXPECT_EQ(structure::value_at(std::get<Formula>(hand->turning->angle).si, 0.5), 5);
+    const RigidCourse* lid = bodies[5].moved();
+    EXPECT_EQ(std::get<DisplacementRamp>(*lid->way).duration_s, 4e-3);
+    EXPECT_FALSE(lid->turning);
+    EXPECT_EQ(lid->courses().size(), 1u);
+    const RigidCourse* rocker = bodies[7].moved();
+    EXPECT_EQ(std::get<Oscillation>(*rocker->way).amplitude_m, (Vec3{1e-3, 2e-3, 3e-3}));
+    EXPECT_EQ(std::get<AngleOscillation>(rocker->turning->angle).frequency_hz, 2);
+    EXPECT_EQ(rocker->courses().size(), 2u);
 }
 
 TEST(Keys, of_shapes) {

@@ -20,7 +20,7 @@
 #include <stdexcept>
 
 #include "structure/lammps/effect.h"
-#include "structure/lammps/effects/prescribed_motion/motion_law.h"
+#include "structure/lammps/motion_law.h"
 #include "structure/lammps/names.h"
 
 namespace magfsi::structure {

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstring>
 #include <exception>
+#include <unordered_set>
 
 #include "structure/eigen_vector.h"
 
@@ -70,6 +71,33 @@ void FixMagtticeRigid::init() {
     }
     refuse_integrated_twice(*lmp, *this);
     reset_dt();
+    start_courses();
+}
+
+// Nodes in prescribed motion get their velocities before the first forces are evaluated
+// and before ghosts get theirs. The map of the atoms is not valid yet.
+void FixMagtticeRigid::start_courses() {
+    follow_courses();
+    for (const Part& part : parts_) {
+        if (!part.motion.is_prescribed()) continue;
+        const std::unordered_set<int> ids(part.ids.begin(), part.ids.end());
+        for (int i = 0; i < atom->nlocal; ++i) {
+            if (!ids.contains(static_cast<int>(atom->tag[i]))) continue;
+            const Vec3 v = part.motion.velocity_at(vector_at(atom->x[i]));
+            std::copy_n(v.data(), 3, atom->v[i]);
+        }
+    }
+}
+
+// The time is derived from the step number, so that it is the same after a restart.
+void FixMagtticeRigid::follow_courses() {
+    const double time_s = static_cast<double>(update->ntimestep) * update->dt;
+    try {
+        for (Part& part : parts_)
+            if (part.motion.is_prescribed()) part.motion.follow(time_s);
+    } catch (const std::exception& cause) {
+        fail(*error, "fix {} magttice/rigid: {}", id, cause.what());
+    }
 }
 
 // The rows of all nodes are place and mass; each has one owner.
@@ -123,12 +151,15 @@ void FixMagtticeRigid::setup(int) {
 // within a step (effect.h).
 void FixMagtticeRigid::initial_integrate(int) {
     const double dt_s = update->dt;
+    follow_courses();
     for (Part& part : parts_) {
         RigidMotion& motion = part.motion;
-        if (drag_.rate_1_s > 0)
-            motion.slow_down(half_step_.share(motion.velocity_m_s().data()));
-        motion.push(0.5 * dt_s);
-        motion.drift(dt_s);
+        if (!motion.is_prescribed()) {
+            if (drag_.rate_1_s > 0)
+                motion.slow_down(half_step_.share(motion.velocity_m_s().data()));
+            motion.push(0.5 * dt_s);
+            motion.drift(dt_s);
+        }
         const RigidPlace place(motion);
         for (const OwnNode& node : part.own) {
             const Vec3 next = place.of(node.start_m);
@@ -142,6 +173,7 @@ void FixMagtticeRigid::initial_integrate(int) {
 void FixMagtticeRigid::final_integrate() {
     sum_loads();
     for (Part& part : parts_) {
+        if (part.motion.is_prescribed()) continue;
         if (drag_.rate_1_s > 0)
             part.motion.slow_down(half_step_.share(part.motion.velocity_m_s().data()));
         part.motion.push(0.5 * update->dt);
@@ -255,9 +287,10 @@ void FixMagtticeRigid::put_states(std::span<const double> states) {
         parts_[p].motion.set_state(states.subspan(width * p, width));
 }
 
-double FixMagtticeRigid::kinetic_beyond_nodes_j() const {
+double FixMagtticeRigid::kinetic_beyond_nodes_j(bool of_prescribed) const {
     double sum = 0;
     for (const Part& part : parts_) {
+        if (part.motion.is_prescribed() != of_prescribed) continue;
         const Vector3d rate = part.motion.turn().conjugate() *
                               as_eigen(part.motion.angular_velocity_rad_s());
         sum += 0.5 * rate.dot(part.beyond_nodes * rate);

@@ -48,7 +48,7 @@ class FixMagtticeRigid : public LAMMPS_NS::Fix, public MovesRigidParts {
     std::vector<RigidPartMotion> motions() const override;
     std::vector<double> states() const override;
     void put_states(std::span<const double> states) override;
-    double kinetic_beyond_nodes_j() const override;
+    double kinetic_beyond_nodes_j(bool of_prescribed) const override;
 
   private:
     static constexpr int columns = 16;
@@ -73,6 +73,10 @@ class FixMagtticeRigid : public LAMMPS_NS::Fix, public MovesRigidParts {
     // Sums the forces on the nodes of each part. Collective.
     void sum_loads();
     void set_velocities();
+    // Puts the parts in prescribed motion where their courses have them now, and gives
+    // their nodes the velocity of the start.
+    void follow_courses();
+    void start_courses();
 
     Drag drag_;
     DragDecay half_step_;

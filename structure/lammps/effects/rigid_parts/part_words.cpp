@@ -4,12 +4,37 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <type_traits>
 
+#include "structure/lammps/motion_law.h"
 #include "structure/lammps/names.h"
 
 namespace magfsi::structure {
+
+namespace {
+
+std::string words_of(const Hinge& hinge) {
+    return fmt::format(" hinge {:.17g} {:.17g}", fmt::join(hinge.about_m, " "),
+                       fmt::join(hinge.axis, " "));
+}
+
+std::string words_of(const Pivot& pivot) {
+    return fmt::format(" pivot {:.17g}", fmt::join(pivot.about_m, " "));
+}
+
+std::string words_of(const RigidCourse& moved) {
+    std::string out;
+    for (const MotionCourse& course : moved.courses()) {
+        const std::string words = motion_words(course);
+        out += fmt::format(" moved {} {}", 1 + std::ranges::count(words, ' '), words);
+    }
+    return out;
+}
+
+}  // namespace
 
 std::string words_of_part(const PartWords& part) {
     const Eigen::Matrix3d& i = part.inertia.inertia_kg_m2;
@@ -20,15 +45,9 @@ std::string words_of_part(const PartWords& part) {
     if (part.velocity_m_s != Vec3{} || part.angular_velocity_rad_s != Vec3{})
         out += fmt::format(" velocity {:.17g} {:.17g}", fmt::join(part.velocity_m_s, " "),
                            fmt::join(part.angular_velocity_rad_s, " "));
-    if (part.inertia.hold) {
-        if (const auto* hinge = std::get_if<Hinge>(&*part.inertia.hold))
-            out += fmt::format(" hinge {:.17g} {:.17g}", fmt::join(hinge->about_m, " "),
-                               fmt::join(hinge->axis, " "));
-        else
-            out +=
-                fmt::format(" pivot {:.17g}",
-                            fmt::join(std::get<Pivot>(*part.inertia.hold).about_m, " "));
-    }
+    if (part.inertia.hold)
+        out += std::visit([](const auto& hold) { return words_of(hold); },
+                          *part.inertia.hold);
     return out + " nodes " + id_ranges(part.ids);
 }
 
@@ -54,6 +73,22 @@ void add_ids(std::vector<int>& ids, const std::string& word) {
     for (int id = number[0]; id <= number[1]; id += number[2]) ids.push_back(id);
 }
 
+// Reads the words after "moved". Throws std::invalid_argument.
+void read_course(WordReader& words, RigidCourse& course) {
+    std::vector<std::string> own(static_cast<std::size_t>(words.value()));
+    for (std::string& word : own) word = words.word();
+    std::visit(
+        [&]<class Course>(const Course& one) {
+            if constexpr (std::is_same_v<Course, HeldDisplacement>)
+                refuse("\"{}\" of a rigid part found", own[0]);
+            else if constexpr (std::is_same_v<Course, TurningMotion>)
+                course.turning = one;
+            else
+                course.way = one;
+        },
+        motion_from(own));
+}
+
 }  // namespace
 
 PartWords read_part(WordReader& words) {
@@ -72,11 +107,15 @@ PartWords read_part(WordReader& words) {
         part.inertia.hold = Hinge{words.vector(), about};
     } else if (words.take("pivot")) {
         part.inertia.hold = Pivot{words.vector()};
+    } else if (words.next_is("moved")) {
+        RigidCourse course;
+        while (words.take("moved")) read_course(words, course);
+        part.inertia.hold = course;
     }
     if (!words.take("nodes"))
         refuse(
-            "\"{}\" found; a part has velocity with six numbers, pivot with three or "
-            "hinge with six, then nodes with atom IDs",
+            "\"{}\" found; a part has velocity with six numbers, pivot with three, "
+            "hinge with six or moved with a course, then nodes with atom IDs",
             words.word());
     while (!words.done() && !words.next_is("part")) add_ids(part.ids, words.word());
     return part;

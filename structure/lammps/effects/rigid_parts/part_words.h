@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The words of a rigid part in the command of fix magttice/rigid:
 //   part MASS CX CY CZ IXX IYY IZZ IXY IXZ IYZ [velocity VX VY VZ WX WY WZ]
-//        [pivot PX PY PZ | hinge PX PY PZ AX AY AZ] nodes RANGE ...
+//        [pivot PX PY PZ | hinge PX PY PZ AX AY AZ | moved N COURSE [moved N COURSE]]
+//        nodes RANGE ...
 // Mass, centre of mass and inertia about it are those at the start; a RANGE of atom IDs
-// is N, N:M or N:M:STEP.
+// is N, N:M or N:M:STEP. A COURSE has N words, those of fix magttice/motion
+// (motion_law.h): a displacement, a turn, or one of each.
 #pragma once
 
 #include <string>

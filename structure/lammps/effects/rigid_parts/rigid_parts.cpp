@@ -49,6 +49,17 @@ void add_group(Lines& lines, const LammpsInput& input) {
         ids.insert(ids.end(), more.begin(), more.end());
     }
     lines.push_back(fmt::format("group rigid id {}", id_ranges(ids)));
+    if (!has_moved_parts(input.bodies)) return;
+    ids.clear();
+    for (std::size_t b = 0; b < input.bodies.size(); ++b) {
+        const std::vector<RigidPart>& parts = input.bodies[b].rigid_parts;
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            if (!is_moved(parts[p])) continue;
+            const auto more = rigid_ids(input, b, static_cast<int>(p));
+            ids.insert(ids.end(), more.begin(), more.end());
+        }
+    }
+    lines.push_back(fmt::format("group {} id {}", moved_parts_group, id_ranges(ids)));
 }
 
 // The fix comes after the drag, whose work on these nodes it does itself.

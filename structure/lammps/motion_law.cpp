@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "structure/lammps/effects/prescribed_motion/motion_law.h"
+#include "structure/lammps/motion_law.h"
 
 #include "structure/lammps/motion_words.h"
 #include "structure/refuse.h"
