@@ -10,14 +10,23 @@ from unittest import mock
 
 from magfsi import ending, testing
 from magfsi.compare import __main__ as command
+from magfsi.compare import pictures
 
 SCENE = {"name": "made", "time": {"end": 1.0},
          "fluid": {"solver": "lbm", "box": [8e-3, 4e-3, 8e-3], "spacing": 1e-3}}
 
 
-def called(*words):
+def no_curves(found, out):
+    """In the place of pictures.draw_curves, which takes most of the time."""
+    (out / "curves.png").write_bytes(b"drawn elsewhere")
+    return [out / "curves.png"]
+
+
+def called(*words, drawn=True):
+    """drawn: with pictures of the curves."""
     out, err, code = io.StringIO(), io.StringIO(), 0
     with mock.patch.object(sys, "argv", ["magfsi compare", *map(str, words)]), \
+            mock.patch.object(pictures, "draw_curves", pictures.draw_curves if drawn else no_curves), \
             contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         try:
             ending.ended_well(command.main, "magfsi compare", command.REFUSALS)

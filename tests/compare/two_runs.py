@@ -5,7 +5,6 @@ what is refused."""
 import re
 import unittest
 from pathlib import Path
-from unittest import mock
 
 import numpy as np
 import vtk
@@ -20,17 +19,10 @@ WAVE = np.sin(7 * TIMES)
 ENERGY = "body.elastic[J]"
 
 
-def no_curves(found, out):
-    """In the place of pictures.draw_curves, which takes most of the time."""
-    (out / "curves.png").write_bytes(b"drawn elsewhere")
-    return [out / "curves.png"]
-
-
 def compared(first, second, *words, drawn=False):
     """(the rows of the table by probe, what was said, where it is); drawn: with the picture of the curves."""
     out = Path(testing.new_folder()) / "out"
-    with mock.patch.object(pictures, "draw_curves", pictures.draw_curves if drawn else no_curves):
-        done = called(first, second, "--out", out, *words)
+    done = called(first, second, "--out", out, *words, drawn=drawn)
     if done.code:
         raise AssertionError(done.err)
     return {row["probe"]: row for row in runs.read_rows(out / "compare.csv")}, done.out, out

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What magfsi witness reads of a run: it refuses one of which there can be no witness (exit code 2, why,
 what is allowed, and nothing written), and finds its work. OpenFOAM is not needed for that."""
+import contextlib
+import io
 import subprocess
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
-from magfsi import testing
+from magfsi import ending, testing
+from magfsi.witness import __main__ as command
 from magfsi.witness import compare, recorded
 from magfsi.witness.recorded import Box, Refused
 
@@ -16,6 +20,17 @@ STRIP = Path(__file__).parent / "strip.yaml"
 
 
 def refusal(folder, *words):
+    """(exit code, what it says), as a user calls it, in this process."""
+    err, code = io.StringIO(), 0
+    with mock.patch.object(sys, "argv", ["magfsi witness", str(folder), *words]), contextlib.redirect_stderr(err):
+        try:
+            command.command()
+        except SystemExit as ended:
+            code = ended.code
+    return code, err.getvalue().strip()
+
+
+def refusal_of_a_process(folder, *words):
     done = subprocess.run([sys.executable, "-P", "-m", "magfsi.witness", str(folder), *words],
                           capture_output=True, text=True, timeout=120)
     return done.returncode, done.stderr.strip()
@@ -42,9 +57,11 @@ class Refusals(unittest.TestCase):
                    "{amplitude: [0 mm, 0 mm, 0.02 mm], frequency: 1.5 kHz}"}, "the motion is known to")
 
     def test_no_run(self):
-        code, text = refusal(testing.new_folder())
-        self.assertEqual(code, 2, text)
-        self.assertIn("found no scene.json", text)
+        """By a process of its own, too, as a shell starts it."""
+        for call in (refusal, refusal_of_a_process):
+            code, text = call(testing.new_folder())
+            self.assertEqual(code, 2, text)
+            self.assertIn("found no scene.json", text)
 
     def test_words(self):
         for words in (["--end", "5"], ["--cells", "9,6"], ["--run-bar", "5"]):
