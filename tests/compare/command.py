@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi compare called as a user does, in this process; and run folders with given courses."""
-import contextlib
-import io
 import json
-import sys
-import types
 from pathlib import Path
 from unittest import mock
 
-from magfsi import ending, testing
+from magfsi import testing
 from magfsi.compare import __main__ as command
 from magfsi.compare import pictures
 
@@ -24,15 +20,8 @@ def no_curves(found, out):
 
 def called(*words, drawn=True):
     """drawn: with pictures of the curves."""
-    out, err, code = io.StringIO(), io.StringIO(), 0
-    with mock.patch.object(sys, "argv", ["magfsi compare", *map(str, words)]), \
-            mock.patch.object(pictures, "draw_curves", pictures.draw_curves if drawn else no_curves), \
-            contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        try:
-            ending.ended_well(command.main, "magfsi compare", command.REFUSALS)
-        except SystemExit as ended:
-            code = ended.code
-    return types.SimpleNamespace(code=code, out=out.getvalue(), err=err.getvalue())
+    with mock.patch.object(pictures, "draw_curves", pictures.draw_curves if drawn else no_curves):
+        return testing.called("magfsi.compare", command.REFUSALS, *words)
 
 
 def made(columns, scene=None, summary=None, name="run"):

@@ -1,20 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Scenes, shapes and designs that the tests of designs share."""
-import contextlib
-import io
 import math
 import subprocess
 import sys
 import time
-import types
 from pathlib import Path
-from unittest import mock
 
 import numpy as np
 
-from magfsi import ending, testing
-from magfsi.design import __main__ as command
+from magfsi import testing
 from magfsi.design import curves
+from magfsi.study.marked import InputError
 
 STRIP = """name: {name}
 time: {{end: 1 s, equilibrium: {{method: newton}}}}
@@ -77,15 +73,8 @@ def folder_with(**texts):
 
 
 def called(file, *words):
-    """magfsi design as a user calls it, in this process: its exit code and what it says."""
-    out, err, code = io.StringIO(), io.StringIO(), 0
-    with mock.patch.object(sys, "argv", ["magfsi design", *map(str, (file, *words))]), \
-            contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        try:
-            ending.ended_well(command.main, "magfsi design", command.marked.InputError)
-        except SystemExit as ended:
-            code = ended.code
-    return types.SimpleNamespace(code=code, out=out.getvalue(), err=err.getvalue())
+    """magfsi design in this process."""
+    return testing.called("magfsi.design", InputError, file, *words)
 
 
 def run(file, *words, limit_s=900):

@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What magfsi witness reads of a run: it refuses one of which there can be no witness (exit code 2, why,
 what is allowed, and nothing written), and finds its work. OpenFOAM is not needed for that."""
-import contextlib
-import io
 import subprocess
 import sys
 import unittest
 from pathlib import Path
-from unittest import mock
 
 import numpy as np
 
-from magfsi import ending, testing
-from magfsi.witness import __main__ as command
+from magfsi import testing
 from magfsi.witness import compare, recorded
 from magfsi.witness.recorded import Box, Refused
 
@@ -20,14 +16,9 @@ STRIP = Path(__file__).parent / "strip.yaml"
 
 
 def refusal(folder, *words):
-    """(exit code, what it says), as a user calls it, in this process."""
-    err, code = io.StringIO(), 0
-    with mock.patch.object(sys, "argv", ["magfsi witness", str(folder), *words]), contextlib.redirect_stderr(err):
-        try:
-            command.command()
-        except SystemExit as ended:
-            code = ended.code
-    return code, err.getvalue().strip()
+    """(exit code, what it says)."""
+    done = testing.called("magfsi.witness", Refused, folder, *words)
+    return done.code, done.err.strip()
 
 
 def refusal_of_a_process(folder, *words):
