@@ -73,9 +73,16 @@ class Folder(unittest.TestCase):
 
 
 class Links(Folder):
+    ran = None  # folder of runs, of one run for all tests
+
     def setUp(self):
         super().setUp()
-        self.run_scene()
+        if Links.ran is None:
+            self.run_scene()
+            Links.ran = Path(testing.new_folder()) / "runs"
+            shutil.copytree(self.folder / "runs", Links.ran)
+        else:
+            shutil.copytree(Links.ran, self.folder / "runs")
         self.out = self.folder / "runs/bar"
         self.names = sorted(path.name for path in self.out.iterdir() if path.name != "run.lock")
         self.assertIn("lammps.in", self.names)
