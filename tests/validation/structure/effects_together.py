@@ -19,7 +19,7 @@ EFFECTS = [
     ("contact", "contact", "pair_style"),
 ]
 
-EVERY = 1  # 3: each third of them is left out
+EVERY = 1  # 3: each third of them alone
 
 
 def run(settings=None):
