@@ -18,9 +18,14 @@ def no_curves(found, out):
     return [out / "curves.png"]
 
 
-def called(*words, drawn=True):
-    """drawn: with pictures of the curves."""
-    with mock.patch.object(pictures, "draw_curves", pictures.draw_curves if drawn else no_curves):
+def no_fields(*_, **__):
+    return None, "drawn elsewhere"
+
+
+def called(*words, drawn=True, fields=True):
+    """drawn, fields: with pictures of the curves, of the fields."""
+    with mock.patch.object(pictures, "draw_curves", pictures.draw_curves if drawn else no_curves), \
+            mock.patch.object(pictures, "draw_fields", pictures.draw_fields if fields else no_fields):
         return testing.called("magfsi.compare", command.REFUSALS, *words)
 
 

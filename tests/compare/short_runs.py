@@ -17,7 +17,7 @@ OTHER = {**FIELDS, "coupling.immersed_boundary.kernel": "2-point"}
 
 def compared(first, second, *words, drawn=True):
     out = Path(testing.new_folder()) / "out"
-    done = called(first.folder, second.folder, "--out", out, *words, drawn=drawn)
+    done = called(first.folder, second.folder, "--out", out, *words, drawn=drawn, fields=drawn)
     if done.code:
         raise AssertionError(done.err)
     return runs.read_rows(out / "compare.csv"), done.out, out
