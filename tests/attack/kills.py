@@ -75,7 +75,7 @@ class Kills(unittest.TestCase):
             runs += 1
             self.assertLessEqual(runs, 4 * KILLS, "runs end before they are killed")
             for _ in range(3):
-                if self.kill_once(folder, VICTIMS[kills % 4], rng, kills // 4 % 2 == 1):
+                if kills < KILLS and self.kill_once(folder, VICTIMS[kills % 4], rng, kills // 4 % 2 == 1):
                     kills += 1
                     inside += is_writing(folder)
             restart = "latest" if list(folder.glob("checkpoint*_fluid.h5")) else None

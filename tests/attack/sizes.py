@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Whatever the numbers and sizes in a scene or a command: refused in one line with what is
-allowed, or answered. check and explain take seconds."""
+allowed, or answered. check and explain take seconds.
 
+--every 5 takes each fifth number, size and file."""
+
+import itertools
 import os
 import unittest
 from pathlib import Path
 
 from magfsi import runs, testing
 
+EVERY = 1  # of the numbers, sizes and files
 LIMIT_S = 120  # for a busy machine; 10 s on one with nothing else to do
 
 
@@ -22,7 +26,7 @@ class Sizes(unittest.TestCase):
 
     def test_elements(self):
         for elements in ("[200, 100, 100]", "[1000, 1000, 1000]", "[100000, 100000, 100000]",
-                         "[2147483647, 2147483647, 2147483647]"):
+                         "[2147483647, 2147483647, 2147483647]")[::EVERY]:
             self.refused(testing.SMALL, {"bodies.robot.mesh.box.elements": elements}, "at most")
 
     def test_elements_of_a_plate(self):
@@ -41,18 +45,19 @@ class Sizes(unittest.TestCase):
                      "of memory", ["run"])
 
     def test_numbers_at_the_ends_of_their_range(self):
-        for key in ("time.end", "fluid.viscosity", "fluid.density", "fluid.expected_speed",
-                    "bodies.robot.material.density", "bodies.robot.material.shear_modulus",
-                    "gravity.acceleration", "probes.every"):
+        keys = ("time.end", "fluid.viscosity", "fluid.density", "fluid.expected_speed",
+                "bodies.robot.material.density", "bodies.robot.material.shear_modulus",
+                "gravity.acceleration", "probes.every")
+        numbers = ("1e-308", "1e308", "1e400", "-1", "nan", "inf")
+        for key, number in list(itertools.product(keys, numbers))[::EVERY]:
             unit = {"end": "s", "viscosity": "m2/s", "density": "kg/m3", "expected_speed": "m/s",
                     "shear_modulus": "Pa", "acceleration": "m/s2", "every": "s"}[
                         key.rsplit(".", 1)[1]]
-            for number in ("1e-308", "1e308", "1e400", "-1", "nan", "inf"):
-                with self.subTest(f"{key}={number}"):
-                    ended = self.magfsi("check", testing.SMALL, {key: f"{number} {unit}"})
-                    self.assertIn(ended.code, (0, 2), ended.err)
-                    self.assertEqual(len(testing.causes(ended)), ended.code // 2,
-                                     ended.err)
+            with self.subTest(f"{key}={number}"):
+                ended = self.magfsi("check", testing.SMALL, {key: f"{number} {unit}"})
+                self.assertIn(ended.code, (0, 2), ended.err)
+                self.assertEqual(len(testing.causes(ended)), ended.code // 2,
+                                 ended.err)
 
     def test_scene_files(self):
         folder = Path(testing.new_folder())
@@ -65,7 +70,7 @@ class Sizes(unittest.TestCase):
                  "aliases": ("a0: &a0 [x, x]\n" + "".join(
                      f"a{i}: &a{i} [*a{i - 1}, *a{i - 1}, *a{i - 1}, *a{i - 1}]\n"
                      for i in range(1, 40)), "200000 nodes")}
-        for name, (text, message) in texts.items():
+        for name, (text, message) in list(texts.items())[::EVERY]:
             with self.subTest(name):
                 scene = folder / f"{name}.yaml"
                 scene.write_text(text)
@@ -73,7 +78,7 @@ class Sizes(unittest.TestCase):
 
     def test_ranks(self):
         for ranks in ("fluid=40", "fluid=99999", "structure=200,fluid=1", "fluid=64",
-                      "structure=99999999999999"):
+                      "structure=99999999999999")[::EVERY]:
             with self.subTest(ranks):
                 cores = len(os.sched_getaffinity(0))
                 if ranks == "fluid=40" and cores > 9 or ranks == "fluid=64" and cores > 15:
@@ -99,4 +104,4 @@ class Sizes(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    testing.main(EVERY=EVERY)

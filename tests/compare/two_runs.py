@@ -19,10 +19,10 @@ WAVE = np.sin(7 * TIMES)
 ENERGY = "body.elastic[J]"
 
 
-def compared(first, second, *words):
-    """(the rows of the table by probe, what was said, where it is)."""
+def compared(first, second, *words, drawn=False):
+    """(the rows of the table by probe, what was said, where it is); drawn: with the picture of the curves."""
     out = Path(testing.new_folder()) / "out"
-    done = called(first, second, "--out", out, *words)
+    done = called(first, second, "--out", out, *words, drawn=drawn)
     if done.code:
         raise AssertionError(done.err)
     return {row["probe"]: row for row in runs.read_rows(out / "compare.csv")}, done.out, out
@@ -246,7 +246,7 @@ class Written(unittest.TestCase):
         other = {**hostile, "fluid": {"solver": "openfoam", "spacing": 2e-3}}
         second = made(columns, other, {"wall_s": 8.0})
         (second / "study.json").write_text('{"core_s": 14.0}')
-        cls.rows, cls.said, cls.out = compared(first, second)
+        cls.rows, cls.said, cls.out = compared(first, second, drawn=True)
         cls.page = (cls.out / "compare.html").read_text()
 
     def test_costs_are_those_of_the_summaries(self):

@@ -39,7 +39,7 @@ class IsRefused(unittest.TestCase):
         for words, says in self.WRONG:
             with self.subTest(words):
                 scene = Scene(BEAM)
-                done = scene.cost(*words)
+                done = scene.called(*words)
                 self.assertEqual(done.code, 2, done.out + done.err)
                 self.assertEqual(len(done.err.strip().splitlines()), 1, done.err)
                 self.assertIn(says, done.err)
@@ -47,7 +47,7 @@ class IsRefused(unittest.TestCase):
 
     def test_a_scene_without_probes(self):
         scene = Scene(BEAM[:BEAM.index("probes:")])
-        done = scene.cost()
+        done = scene.called()
         self.assertEqual((done.code, len(done.err.strip().splitlines())), (2, 1), done.err)
         self.assertIn("no probes", done.err)
 

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 from magfsi import runs, testing
+from magfsi.cost.__main__ import REFUSALS
 
 FEM = runs.ROOT / "tests/validation/structure/beam_LH17.5.csv"
 BEAM = """
@@ -40,6 +41,10 @@ class Scene:
     def cost(self, *more, limit_s=300):
         return testing.finish(testing.start(self.command(*more)), time.monotonic(), self.out,
                               limit_s)
+
+    def called(self, *more):
+        """magfsi cost in this process."""
+        return testing.called("magfsi.cost", REFUSALS, *self.command(*more)[3:])
 
     def good_cost(self, *more):
         done = self.cost(*more)

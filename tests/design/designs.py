@@ -10,6 +10,7 @@ import numpy as np
 
 from magfsi import testing
 from magfsi.design import curves
+from magfsi.study.marked import InputError
 
 STRIP = """name: {name}
 time: {{end: 1 s, equilibrium: {{method: newton}}}}
@@ -69,6 +70,11 @@ def folder_with(**texts):
     for name, text in texts.items():
         (folder / name.replace("_yaml", ".yaml")).write_text(text)
     return folder
+
+
+def called(file, *words):
+    """magfsi design in this process."""
+    return testing.called("magfsi.design", InputError, file, *words)
 
 
 def run(file, *words, limit_s=900):

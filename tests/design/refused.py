@@ -2,7 +2,7 @@
 """What a design file may not ask for: one line with the place, exit code 2, nothing written."""
 import unittest
 
-from designs import Strip, folder_with, letter, run, write_curve
+from designs import Strip, called, folder_with, letter, run, write_curve
 from magfsi import testing
 
 STRIP = Strip(elements=(20, 2, 1))
@@ -16,18 +16,21 @@ magnetization: {strength: 60 kA/m, plane: xz}
 
 
 class Refused(unittest.TestCase):
-    def refused(self, text, *words, line=None, scene=STRIP.text):
+    def refused(self, text, *words, line=None, scene=STRIP.text, start=called):
         folder = folder_with(scene_yaml=scene, design_yaml=text)
         points = STRIP.line(letter(1.0))
         write_curve(folder / "s.csv", points if line is None else line(points))
-        done = run(folder / "design.yaml", "--out", folder / "out")
+        done = start(folder / "design.yaml", "--out", folder / "out")
         testing.check_refused(self, done)
         for word in words:
             self.assertIn(word, done.err)
         self.assertFalse((folder / "out").exists())
 
     def test_curve_of_the_wrong_length(self):
-        self.refused(TEXT, "design.yaml:5:19", "a curve 24 mm long", "20 mm", line=lambda p: 1.2 * p)
+        """By a process of its own, too, as a shell starts it."""
+        for start in (called, run):
+            self.refused(TEXT, "design.yaml:5:19", "a curve 24 mm long", "20 mm", line=lambda p: 1.2 * p,
+                         start=start)
 
     def test_curve_that_begins_elsewhere(self):
         self.refused(TEXT, "design.yaml:5:19", "out of reach", line=lambda p: p + [0, 0, 5e-3])

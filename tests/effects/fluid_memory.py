@@ -12,6 +12,7 @@ from magfsi import testing
 
 SCENE = Path(__file__).resolve().parent / "still_fluid.yaml"
 LARGE, SMALL = "[96 mm, 96 mm, 96 mm]", "[16 mm, 16 mm, 16 mm]"
+EVERY = 1  # 3: each third of the cases
 STEP = {"time.end": "1 ms"}  # two steps: all that is ever allocated is then there
 
 SUMS = {"probes": "{every: 1 ms, fluid: [kinetic_energy]}"}
@@ -58,7 +59,7 @@ def measured(settings, scene=SCENE, ranks="fluid=1"):
 class Memory(unittest.TestCase):
     # Within 5 %, as is asked for; it is met within 2 %.
     def test_is_that_of_explain(self):
-        for name, effect in CASES.items():
+        for name, effect in list(CASES.items())[::EVERY]:
             with self.subTest(name):
                 large, small = ({**STEP, **effect, "fluid.box": box} for box in (LARGE, SMALL))
                 populations, most = (a - b for a, b in zip(predicted(large), predicted(small)))
@@ -83,4 +84,4 @@ class Memory(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    testing.main(EVERY=EVERY)

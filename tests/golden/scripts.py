@@ -25,6 +25,7 @@ PATH = {"time.end": "1 ms", "probes": "null", "output": "null"}
 LAMMPS, SOLVER, FLUID = "magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-lbm"
 
 # name of the stored file: (scene, overrides, programs)
+EVERY = 1  # of the scenes
 SCENES = {
     "beam": ("tutorials/beam/scene.yaml", PATH, [SOLVER]),
     "gravity": ("tutorials/gravity/scene.yaml", PATH, [LAMMPS]),
@@ -77,7 +78,7 @@ def run(name):
 
 class Scripts(unittest.TestCase):
     def test_have_only_what_the_scene_needs(self):
-        for name, (_, _, needed) in SCENES.items():
+        for name, (_, _, needed) in list(SCENES.items())[::EVERY]:
             with self.subTest(name):
                 programs, script = run(name)
                 self.assertEqual(programs, needed)
@@ -115,4 +116,4 @@ if __name__ == "__main__":
     if "--renew" in sys.argv:
         renew()
     else:
-        unittest.main()
+        testing.main(EVERY=EVERY)

@@ -16,6 +16,12 @@ STRIP = Path(__file__).parent / "strip.yaml"
 
 
 def refusal(folder, *words):
+    """(exit code, what it says)."""
+    done = testing.called("magfsi.witness", Refused, folder, *words)
+    return done.code, done.err.strip()
+
+
+def refusal_of_a_process(folder, *words):
     done = subprocess.run([sys.executable, "-P", "-m", "magfsi.witness", str(folder), *words],
                           capture_output=True, text=True, timeout=120)
     return done.returncode, done.stderr.strip()
@@ -42,9 +48,11 @@ class Refusals(unittest.TestCase):
                    "{amplitude: [0 mm, 0 mm, 0.02 mm], frequency: 1.5 kHz}"}, "the motion is known to")
 
     def test_no_run(self):
-        code, text = refusal(testing.new_folder())
-        self.assertEqual(code, 2, text)
-        self.assertIn("found no scene.json", text)
+        """By a process of its own, too, as a shell starts it."""
+        for call in (refusal, refusal_of_a_process):
+            code, text = call(testing.new_folder())
+            self.assertEqual(code, 2, text)
+            self.assertIn("found no scene.json", text)
 
     def test_words(self):
         for words in (["--end", "5"], ["--cells", "9,6"], ["--run-bar", "5"]):

@@ -58,6 +58,8 @@ class SameBytes(unittest.TestCase):
     # Orientation and angular momentum, to the last bit; the bodies' own and a region's.
     def test_rigid_parts(self):
         self.same(RIGID, RIGID_PARTS, "7.2 ms", "structure=1")
+
+    def test_rigid_parts_on_several_ranks(self):
         self.same(RIGID, RIGID_PARTS, "7.2 ms", "structure=3")
 
     # Their places are those of the step's number.

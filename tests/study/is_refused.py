@@ -43,7 +43,7 @@ class IsRefused(unittest.TestCase):
             with self.subTest(new):
                 self.assertIn(old, GOOD)
                 study = Study(GOOD.replace(old, new, 1))
-                done = study.run()
+                done = study.called()
                 self.assertEqual(done.code, 2, done.out + done.err)
                 self.assertEqual(len(done.err.strip().splitlines()), 1, done.err)
                 where = place if "|" not in place else "[0-9]+:[0-9]+"

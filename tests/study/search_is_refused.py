@@ -10,7 +10,7 @@ from searches import TEXT, Search, testing
 class Refused(unittest.TestCase):
     def refused(self, text, *words):
         search = Search(text)
-        done = search.run()
+        done = search.called()
         self.assertEqual(done.code, 2, done.err)
         self.assertEqual(len(done.err.strip().splitlines()), 1, done.err)
         for word in words:

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from magfsi import testing
-
+from magfsi.study.marked import InputError
 
 
 class Study:
@@ -25,6 +25,10 @@ class Study:
     def run(self, *more, limit_s=600):
         return testing.finish(testing.start(self.command(*more)), time.monotonic(), self.out,
                              limit_s)
+
+    def called(self, *more):
+        """The command in this process."""
+        return testing.called(self.program, InputError, *self.command(*more)[3:])
 
     def good_run(self, *more):
         done = self.run(*more)

@@ -2,6 +2,9 @@
 """Runs of the built magfsi for tests: start, read what it left, compare."""
 import argparse
 import atexit
+import contextlib
+import importlib
+import io
 import math
 import os
 import re
@@ -11,9 +14,11 @@ import subprocess
 import sys
 import tempfile
 import time
+import types
 import unittest
+from unittest import mock
 
-from magfsi import runs
+from magfsi import ending, runs
 from magfsi.runs import EXIT_INPUT, BIN, ROOT, overrides, run_command, start  # noqa: F401
 
 SMALL = ROOT / "tests/scenes/small_swimmer.yaml"
@@ -73,6 +78,20 @@ def output_of(*words, **named):
     if done.returncode != 0:
         raise AssertionError(f"{words}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}")
     return done.stdout
+
+
+def called(name, refusals, *words):
+    """A command of this package, as magfsi.study with its exceptions for bad input, as a shell starts it,
+    but in this process: its code, out and err. A new process takes a second to import what it needs."""
+    main = importlib.import_module(f"{name}.__main__").main
+    out, err, code = io.StringIO(), io.StringIO(), 0
+    with mock.patch.object(sys, "argv", [name, *map(str, words)]), \
+            contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            ending.ended_well(main, name.replace(".", " "), refusals)
+        except SystemExit as ended:
+            code = ended.code
+    return types.SimpleNamespace(code=code, out=out.getvalue(), err=err.getvalue())
 
 
 def has(program):

@@ -35,6 +35,7 @@ group end region end
 RUN = "run 50\n"
 END = "fix move end magttice/motion ramp 1e-4 0 0 1e-3"
 
+EVERY = 1  # of what is wrong
 # What is said, the line that is changed, and what it becomes.
 WRONG = [(f"fix beam magttice found with units {units}; allowed is units si", "units si", f"units {units}")
          for units in ("real", "lj", "metal", "cgs", "micro")] + [
@@ -82,7 +83,7 @@ class Scripts(unittest.TestCase):
         return [each.split("\n") for each in found]
 
     def test_what_is_wrong_is_refused(self):
-        for words, line, instead in WRONG:
+        for words, line, instead in WRONG[::EVERY]:
             with self.subTest(words):
                 self.assertEqual(SCRIPT.count(f"{line}\n"), 1)
                 done = self.lammps(SCRIPT.replace(f"{line}\n", f"{instead}\n") + RUN)
@@ -108,4 +109,4 @@ class Scripts(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    testing.main(EVERY=EVERY)

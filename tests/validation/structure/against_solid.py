@@ -15,6 +15,7 @@ from quadratic_solid import Solver
 
 HERE = Path(__file__).resolve().parent
 ELEMENTS = "bodies.strip.mesh.box.elements"
+EVERY = 1  # 3: the lightest and the heaviest alone
 
 
 def rows(name):
@@ -67,7 +68,7 @@ class ClampedStrip(unittest.TestCase):
 
     def test_settles_as_finite_elements_with_one_layer(self):
         # What the elements leave in bending, and the reference's own 0.2 %.
-        for weight_g in (1, 3, 10, 30):
+        for weight_g in (1, 3, 10, 30)[::EVERY]:
             self.compare("[20, 8, 1]", weight_g, 0.01)
             self.compare("[40, 8, 1]", weight_g, 0.01)
 
@@ -107,4 +108,4 @@ class SwingingV(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    testing.main(EVERY=EVERY)

@@ -209,8 +209,8 @@ class Solver:
         band = band.copy()
         for d in np.flatnonzero(~self.free):  # rows and columns of what is held
             band[:, d] = 0
-            for k in range(1, min(self.block.band, d + 1)):
-                band[k, d - k] = 0
+            below = np.arange(1, min(self.block.band, d + 1))
+            band[below, d - below] = 0
             band[0, d] = band[0].max()
         return cholesky_banded(band, lower=True, overwrite_ab=True, check_finite=False)
 

@@ -3,6 +3,7 @@
 know nothing of the lattice; and what the stiffening changes."""
 
 import unittest
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ LENGTH, SIDE, G, LIMIT = 12e-3, 4e-3, 33e3, 0.3
 FIELDS_T = (0.05, 0.1, 0.15, 0.2)
 
 
+@cache
 def solid(cells, gent):
     """Displacements (x, z) of the middle of the free end, and the largest share of the limit, at
     each field. Cells are finer towards the clamp."""
@@ -37,6 +39,18 @@ class ThickRubber(unittest.TestCase):
     def lattice(self, settings=None):
         probes = testing.good_run(SCENE, settings or {}).probes()
         return np.column_stack([probes["tip_ux[m]"], probes["tip_uz[m]"]])[1:]
+
+    def test_coarse_elements_bend_alike(self):
+        """Bricks twice as large, and finite elements that are 0.25 % off: within the same bound."""
+        right, _ = solid((8, 2, 3), LIMIT)
+        neo_hookean, _ = solid((6, 1, 2), None)
+        size = np.linalg.norm(right, axis=1)
+        error = np.linalg.norm(self.lattice({"bodies.beam.mesh.box.elements": "[12, 4, 4]"}) - right, axis=1) / size
+        changed = np.linalg.norm(neo_hookean - right, axis=1) / size
+        testing.report(f"lattice of [12, 4, 4] bricks {100 * error.max():.2f} %, without stiffening "
+                       f"{100 * changed.max():.1f} %")
+        self.assertGreater(changed.max(), 0.03)
+        self.assertLess(error.max(), 0.01)
 
     def test_bends_as_converged_finite_elements(self):
         coarse, _ = solid((8, 2, 3), LIMIT)

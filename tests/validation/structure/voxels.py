@@ -146,12 +146,17 @@ class Voxels(unittest.TestCase):
         self.assertAlmostEqual(cubes / box, 1, delta=1e-5)  # as test_bends_as_the_box
         self.assertGreater(abs(cubes / plain - 1), 0.1)
 
-    def test_mass_and_volume_are_the_surfaces(self):
-        """Whatever the volume of the cubes: 9.8 % too large here."""
+    def rolled_block(self):
+        """Its size [mm], and a scene in which it floats."""
         size = (1.2, 0.8, 0.5)
         scene = self.folder / "scene.yaml"
         mesh = self.from_file(rolled(block(size), math.radians(30)), "0.13 mm")
         scene.write_text(FLOATS.replace("MESH", mesh))
+        return size, scene
+
+    def test_mass_and_volume_are_the_surfaces(self):
+        """Whatever the volume of the cubes: 9.8 % too large here."""
+        size, scene = self.rolled_block()
         text = testing.output_of(testing.BIN / "magfsi", "explain", scene)
         mass = float(re.search(r"mass (\S+) mg", text)[1])
         cubes, weighed = map(float, re.search(r"surface's: (\S+) %, weighed by what they hold of it: (\S+) %",
@@ -162,7 +167,10 @@ class Voxels(unittest.TestCase):
         self.assertLess(abs(weighed), 100 / 16 / 218)
         self.assertAlmostEqual(mass / math.prod(size), 1, delta=1 / 16 / 218 + 5e-4)  # four digits
 
-        # As heavy as water, it stays where it is: buoyancy is that of the same volume.
+    def test_it_floats_in_its_own_volume(self):
+        """As heavy as water, it stays where it is: buoyancy is that of the same volume."""
+        _, scene = self.rolled_block()
+
         def sinks(density):
             return -testing.good_run(scene, {"bodies.bar.material.density": f"{density} kg/m3"},
                                      ranks="structure=1,fluid=1").probes()["bar.speed_z[m/s]"][-1]

@@ -9,7 +9,6 @@ import numpy as np
 
 from magfsi.design.mesh_file import boundary
 from magfsi.design.objective import Points
-from magfsi.report import page as of_a_run
 
 INK, WANTED, FIELD = "0.25", "#d55e00", "#0072b2"
 COLOURS = "hsv"  # of directions in the plane
@@ -139,6 +138,8 @@ def _pose_rows(facts):
 
 
 def assemble(problem, search, facts, picture):
+    from magfsi.report import page as of_a_run  # VTK comes with it
+
     title = f"Design of {facts['name']}"
     shown = base64.b64encode(picture).decode()
     style = of_a_run.style() + "\nimg { display: block; max-width: 100%; background: #fff; }\n"

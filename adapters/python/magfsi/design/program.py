@@ -54,7 +54,8 @@ class Program:
         line = self._process.stdout.readline()
         if not line:
             said = self._process.stderr.read().decode(errors="replace").strip()
-            code = self._process.wait()
+            self.close()
+            code = self._process.returncode
             raise (InputError if code == runs.EXIT_INPUT else Failed)(
                 said.splitlines()[-1] if said else f"magfsi-design ended with exit code {code}")
         self.facts = json.loads(line)

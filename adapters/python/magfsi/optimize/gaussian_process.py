@@ -3,8 +3,6 @@
 value so far (Jones, Schonlau and Welch, J. Global Optim. 13 (1998) 455). For Optuna, which keeps what
 was asked and answered."""
 import numpy as np
-from scipy.optimize import minimize
-from scipy.stats import norm, qmc
 
 CANDIDATES, POLISHED = 512, 2  # of a question: points of a Sobol sequence, and those climbed from
 # Values whose measure is noise to the search: of the spread of all.
@@ -17,6 +15,8 @@ def first_runs(parameters):
 
 
 def _even(parameters, seed, count):
+    from scipy.stats import qmc
+
     return qmc.Sobol(parameters, seed=seed).random_base2(int(np.ceil(np.log2(count))))[:count]
 
 
@@ -37,6 +37,8 @@ def fitted(points, values, seed):
 
 def improvement(process, best, at):
     """Expected, below `best`, at each of the points."""
+    from scipy.stats import norm
+
     mean, deviation = process.predict(np.atleast_2d(at), return_std=True)
     deviation = np.maximum(deviation, 1e-12)
     z = (best - mean) / deviation
@@ -46,6 +48,8 @@ def improvement(process, best, at):
 def next_point(points, values, seed):
     """In the unit cube, from those asked and their values, to be made small."""
     import warnings
+
+    from scipy.optimize import minimize
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of lengths at their bounds, where a parameter does nothing

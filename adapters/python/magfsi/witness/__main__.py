@@ -92,7 +92,6 @@ def solve(recorded, chosen, end):
 
 def work(chosen):
     # matplotlib and VTK are slow to start, and mistakes are to be reported at once.
-    from magfsi.witness import report
     from magfsi.witness.recorded import Recorded
     recorded = Recorded(chosen.run, chosen.end, chosen.period)
     end = recorded.time[-1]
@@ -102,6 +101,7 @@ def work(chosen):
         f"{1e6 * recorded.shift:.2g} um")
     chosen.out.mkdir(parents=True, exist_ok=True)
     solutions = solve(recorded, chosen, end)
+    from magfsi.witness import report
     for line in report.write(recorded, solutions, chosen):
         say(line)
 
