@@ -201,6 +201,13 @@ class Written(unittest.TestCase):
                                   (1500.0, "s", "1.5e+03 s"), (30.0, "deg", "30\u00b0"), (140.0, "1/s", "140 s\u207b\u00b9")):
             self.assertEqual(units.with_unit(value, unit), text)
 
+    def test_units_are_typeset(self):
+        for unit, text in (("1/s^2", "s\u207b\u00b2"), ("1/s", "s\u207b\u00b9"), ("m2/s", "m\u00b2/s"), ("mm2/s", "mm\u00b2/s"),
+                           ("m3/s", "m\u00b3/s"), ("kg/m3", "kg/m\u00b3"), ("J/m3", "J/m\u00b3"), ("A m2", "A m\u00b2"),
+                           ("m/s2", "m/s\u00b2"), ("kg m/s", "kg m/s"), ("N m", "N m"), ("1", ""), ("deg", "\u00b0"),
+                           ("rad/s", "rad/s"), ("A/m", "A/m")):
+            self.assertEqual(units.typeset(unit), text)
+
     def test_the_wheel_says_what_is_drawn(self):
         """Magnetisation along z of the body and the wheel's upper side have one colour."""
         east, north, west, none = magnetisation.colours(np.array([1.0, 0, -1, 0]), np.array([0, 1.0, 0, 0]), 1.0)

@@ -76,7 +76,7 @@ class Labels:
         patches = [Patch(facecolor=(*colour, min(1, 2 * opacity)), edgecolor=GREY, linewidth=self.points(0.5),
                          label=f"{value:.4g}") for value, colour, opacity in levels]
         legend = self.figure.legend(
-            handles=patches, ncols=len(patches), title=f"{title} [{units.LETTERS.get(unit, unit)}]", frameon=False,
+            handles=patches, ncols=len(patches), title=f"{title} [{units.typeset(unit)}]", frameon=False,
             loc="lower right", bbox_to_anchor=((self._right() + 6) * self.unit / self.size[0],
                                                self.below * self.unit / self.size[1]), borderpad=0, borderaxespad=0,
             fontsize=self.points(11), title_fontsize=self.points(12.5), handlelength=1.6, columnspacing=1.2,
