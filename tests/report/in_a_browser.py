@@ -66,14 +66,19 @@ class Looked(unittest.TestCase):
         self.assertAlmostEqual(place, (left + right) / 2, delta=1)
 
     def in_time(self, page):
-        """Whether it opens and plays so fast, once. By the processor time of the browser: the time
+        """Whether it opens, as far as its first curve, and plays so fast, once. By the processor time of the browser: the time
         of the clock is that of all that runs on this machine."""
         slow, began = slow_machine(), self.browser.processor_s()
         self.open(page)
+        # Curves are drawn when they come into sight: until the first one is.
+        self.browser.run("document.getElementById('curves').scrollIntoView(); new Promise(done => { (function look() { "
+                         "if (!drawn.length || drawn.some(panel => panel.chart)) requestAnimationFrame(done); "
+                         "else requestAnimationFrame(look); })(); })")
         opened = self.browser.processor_s()
+        self.browser.run("scrollTo(0, 0)")
         self.browser.run(PLAY % 40)
         opening, playing = opened - began, self.browser.processor_s() - opened
-        testing.report(f"processor time: opens in {opening:.2f} s, {40 / playing:.0f} frames a second, "
+        testing.report(f"processor time: opens with a curve in {opening:.2f} s, {40 / playing:.0f} frames a second, "
                        f"the machine {slow:.1f} times slow")
         return opening < slow * OPENS_IN_S and playing < slow * 40 / FRAMES_A_S
 
@@ -249,8 +254,11 @@ class Looked(unittest.TestCase):
 
     def test_many_rows_and_frames(self):
         page = kinds.page(kinds.long_course(self.run_))
+        testing.report(f"page of 100,000 rows: {page.stat().st_size / 1e6:.2f} MB")
         self.assertLess(page.stat().st_size, 2e6)
         self.opens_and_plays(page)
+        self.assertGreater(self.browser.run("shownRun.probes.stored"), 99999)
+        self.assertTrue(self.browser.run("!!(shownRun.flow && shownRun.vortices)"))
         self.assertGreater(self.browser.run("magfsi.view.shapes[0].bodies.times.length"), 30)
 
 
