@@ -81,9 +81,7 @@ def draw_curves(found, out):
 
 def flows(side):
     """{time: files} of the flow on grids."""
-    stored = [(time, [file for file in files if file.suffix in (".vti", ".pvti")])
-              for time, files in fields.stored_frames(side.folder, "fluid.pvd")]
-    return {time: files for time, files in stored if files}
+    return dict(fields.flow_frames(side.folder))
 
 
 def pairs(first, second, span, most=INSTANTS):

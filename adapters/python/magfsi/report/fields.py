@@ -43,6 +43,13 @@ def stored_frames(folder, collection):
     return list(instants.items())
 
 
+def flow_frames(folder):
+    """Those of the flow on grids."""
+    stored = [(time, [file for file in files if file.suffix in (".vti", ".pvti")])
+              for time, files in stored_frames(folder, "fluid.pvd")]
+    return [(time, files) for time, files in stored if files]
+
+
 _remembered = None  # {(file, of what): what was read of it}, where frames are kept
 _left = False  # some of them to the next call
 
@@ -310,9 +317,7 @@ def flows(folder, scene, at, most_bytes):
     """Slices through a place: in the plane of the field, or across y, then in the two other planes."""
     plane = scene.get("magnetic_field", {}).get("plane", "xz")
     first = next(a for a in range(3) if AXES[a] not in plane)
-    stored = [(time, [f for f in files if f.suffix in (".vti", ".pvti")])
-              for time, files in stored_frames(folder, "fluid.pvd")]
-    stored = [(time, files) for time, files in stored if files]
+    stored = flow_frames(folder)
     if not stored:
         return []
     made = [flow(stored, axis, at, (0.6 if axis == first else 0.2) * most_bytes,
