@@ -18,6 +18,7 @@ import vtk
 from kinds import SECOND
 from magfsi import gallery, testing, units
 from magfsi.drawing import actors, camera, clock, magnetisation, stage
+from magfsi.drawing.labels import Labels
 from magfsi.drawing.stage import Stage, ensure_display
 from PIL import Image
 
@@ -195,6 +196,12 @@ class Written(unittest.TestCase):
         row = field["t[s]"].index(0.5)
         self.assertEqual(stage.labels.time.get_text(), f"field {1e3 * field['field[T]'][row]:.4g} mT")
         self.assertEqual(stage.labels.strength.get_text(), f"B = {1e3 * field['field[T]'][row]:.3g} mT")
+
+    def test_any_size(self):
+        """Some, such as 1020, are no whole number of pixels as inches in binary."""
+        for size in ((1020, 57), (64, 1020), (113, 115), (231, 229)):
+            blank = np.full((size[1], size[0], 3), 255, np.uint8)
+            self.assertEqual(Labels(size).over(blank).shape, blank.shape)
 
     def test_numbers_with_their_units(self):
         for value, unit, text in ((2e-5, "m", "20 \u00b5m"), (0.017, "T", "17 mT"), (62e3, "A/m", "62 kA/m"),

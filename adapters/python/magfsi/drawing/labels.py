@@ -22,7 +22,8 @@ class Labels:
 
     def __init__(self, size):
         self.size, self.unit = size, min(size[0] / 900, size[1] / 620)
-        self.figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI)
+        # Matplotlib cuts off what follows the point: 1020 / 100 * 100 would be 1019 pixels.
+        self.figure = Figure(figsize=[(pixels + 0.01) / DPI for pixels in size], dpi=DPI)
         self.figure.patch.set_alpha(0)
         self.canvas = FigureCanvasAgg(self.figure)
         self.halo = [patheffects.withStroke(linewidth=3 * self.points(1), foreground="#ffffffb0")]
