@@ -68,7 +68,9 @@ def maker_of(run, page):
 
 def runs_of(words):
     """Run folders that a script draws, unless it makes its own."""
-    return [] if "--run" in words else [word for word in words[3:] if word.startswith("runs/") and not word.endswith(".png")]
+    if "--run" in words:
+        return []
+    return [word for word in words[3:] if word.startswith("runs/") and not word.endswith(".png")]
 
 
 class Folder:
