@@ -225,8 +225,8 @@ class Looked(unittest.TestCase):
         self.assertEqual(self.browser.errors(), [])
 
     def test_magnitude_and_components_differ(self):
-        """A field that changes its sign: three lines, no two of the same colour and dashes; the one with
-        the sign does not call itself a magnitude."""
+        """A field that changes its sign: three lines, no two of the same colour and dashes, nor six of two runs;
+        the one with the sign does not call itself a magnitude."""
         run = testing.good_run(testing.SMALL, {
             "time.end": "1 ms", "fluid": "", "probes": "{every: 0.1 ms, bodies: [com]}",
             "magnetic_field": "{plane: xz, table: {time: [0 ms, 1 ms], magnitude: [-17 mT, 17 mT], "
@@ -236,6 +236,10 @@ class Looked(unittest.TestCase):
           p.drawCurves(); return p.chart.data.datasets.map(d => [d.label, `${d.borderColor} ${d.borderDash}`]); })()""")
         self.assertEqual([label for label, _ in drawn], ["with its sign", "x", "z"])
         self.assertEqual(len({look for _, look in drawn}), 3)
+        self.open(kinds.page(run.folder, run.folder, out=run.folder / "both.html"))
+        looks = self.browser.run("""(() => { const p = drawn.find(p => p.name === "field[T]");
+          p.drawCurves(); return p.chart.data.datasets.map(d => `${d.borderColor} ${d.borderDash}`); })()""")
+        self.assertEqual((len(looks), len(set(looks))), (6, 6))
 
     def test_an_orientation_is_one_panel(self):
         """A rigid brick that turns about x and y: its quaternion's four curves, then its three angles, each with a

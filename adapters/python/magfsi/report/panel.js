@@ -81,8 +81,9 @@ class Panel {
     this.chart?.destroy();
     const ink = style("--ink"), grid = style("--line"), components = this.all.some(l => l.part), single = this.lines.length < 2;
     const datasets = this.lines.map(l => {
-      const axis = l.part ? PARTS[l.part] : 0, xs = this.axis.of(l.run), whole = !l.part && components;
-      const colour = whole ? ink : line(this.several ? l.r : axis);
+      // A magnitude beside components: black in one run, in the run's colour with dashes of its own in several.
+      const whole = !l.part && components, axis = l.part ? PARTS[l.part] : whole && this.several ? DASHES.length - 1 : 0;
+      const xs = this.axis.of(l.run), colour = whole && !this.several ? ink : line(this.several ? l.r : axis);
       const data = Array.from(l.values, (v, i) => ({ x: this.xFactor * xs[i], y: this.factor * v }));
       if (data.at(-1).x < data[0].x) data.reverse();
       return { data, label: this.label(l), borderColor: colour, backgroundColor: colour, borderDash: DASHES[axis], borderWidth: 1.5,
