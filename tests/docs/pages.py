@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 from magfsi import runs, testing
+from PIL import Image
 
 sys.path.append(str(testing.ROOT / "tests/report"))
 import browser  # noqa: E402
@@ -104,6 +105,26 @@ class Site(unittest.TestCase):
                     missing.append(f"{page.relative_to(html)}: {link}")
         self.assertGreater(len(pages), 40)
         self.assertEqual(missing, [])
+
+
+class Pictures(unittest.TestCase):
+    """Figures in the width of the site's text, 46 em of 16 pixels less its margins. Matplotlib says in the file how wide it
+    meant them; their scripts' letters have 7 points at least."""
+    TEXT, LEAST, POINTS = 736, 8, 7  # pixels, pixels, points
+    # Of runs of hours, of searches, or drawn with those.
+    WIDER = {"docs/compare.png", "docs/experiments/figure.png", "docs/turek_hron.png", "tutorials/cilia/figure.png",
+             "tutorials/gait/search.png", "tutorials/helix/figure.png", "tutorials/letter/figure.png"}
+
+    def test_letters_can_be_read(self):
+        small = set()
+        for folder in ("docs", "tutorials"):
+            for file in (testing.ROOT / folder).rglob("*.png"):
+                with Image.open(file) as picture:
+                    if "dpi" in picture.info:  # of others there are no letters
+                        inches = picture.size[0] / picture.info["dpi"][0]
+                        if self.TEXT / inches * self.POINTS / 72 < self.LEAST:
+                            small.add(str(file.relative_to(testing.ROOT)))
+        self.assertEqual(small, self.WIDER)
 
 
 class Links(unittest.TestCase):
