@@ -113,7 +113,7 @@ class Pictures(unittest.TestCase):
     TEXT, LEAST, POINTS = 736, 8, 7  # pixels, pixels, points
     # Of runs of hours, of searches, or drawn with those.
     WIDER = {"docs/compare.png", "docs/experiments/figure.png", "docs/turek_hron.png", "tutorials/cilia/figure.png",
-             "tutorials/gait/search.png", "tutorials/helix/figure.png", "tutorials/letter/figure.png"}
+             "tutorials/gait/search.png", "tutorials/helix/figure.png"}
 
     def test_letters_can_be_read(self):
         small = set()
