@@ -29,6 +29,7 @@ html_static_path = ["site"]
 html_css_files = ["site.css"]
 html_search_scorer = str(TOP / "docs/site/scorer.js")
 html_show_sourcelink = False
+html_scaled_image_link = False  # a picture of the front page leads to its tutorial, not to its file
 
 # Equations are drawn by Debian's MathJax 2, which make_site.py puts into the site: as SVG, for
 # which it needs no fonts (Firefox refuses those of pages from a folder). MathML needs nothing, but

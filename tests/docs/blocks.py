@@ -53,6 +53,26 @@ def commands(text):
             if line.strip() and not line.startswith("#")]
 
 
+def maker_of(run, page):
+    """Words of the command that makes a run folder: a line of the page, or that of the scene of this name; None
+    without."""
+    for text in (text for where, kind, text, _ in blocks() if where == page and kind == "sh"):
+        for line in commands(text):
+            words = shlex.split(line, comments=True)
+            if words[:2] == ["./magfsi", "run"] and options_of(words, ("--out",)) == ["--out", run]:
+                return words
+    name = Path(run).name
+    scene = next((scene for scene in (f"tutorials/{name}", f"docs/howto/{name}.yaml") if (ROOT / scene).exists()), None)
+    return ["./magfsi", "run", scene, "--out", run] if scene else None
+
+
+def runs_of(words):
+    """Run folders that a script draws, unless it makes its own."""
+    if "--run" in words:
+        return []
+    return [word for word in words[3:] if word.startswith("runs/") and not word.endswith(".png")]
+
+
 class Folder:
     """Looks like the checkout; what is written into it goes with the test."""
 
@@ -246,6 +266,14 @@ class Texts(unittest.TestCase):
             outside = BLOCK.sub("", page.read_text())
             found = re.findall(r"^    (?:\./magfsi|magfsi|cmake|python3|mpirun) .*", outside, re.M)
             self.assertEqual(found, [], page)
+
+    def test_figures_are_of_runs_that_the_page_makes(self):
+        for page, kind, text, why in blocks():
+            for line in commands(text) if kind == "sh" and not why else ():
+                words = shlex.split(line, comments=True)
+                if words[:2] == ["./magfsi", "python"] and not words[2].endswith("draw_map.py"):
+                    missing = [run for run in runs_of(words) if maker_of(run, page) is None]
+                    self.assertEqual(missing, [], f"{page}: {line}")
 
     def test_a_reason_is_a_sentence_of_some_words(self):
         for page, _, _, why in blocks():

@@ -33,18 +33,13 @@ class Whole(blocks.Folder):
         self.environment["XDG_CACHE_HOME"] = str(self.path / "cache")  # where the calibration is kept
         self.limit_s = 3600
 
-    def run_for(self, words):
-        """The run that a script draws, unless it makes its own."""
-        run = next((word for word in words[3:] if word.startswith("runs/")), None)
-        if run is None or "--run" in words or (self.path / run / "summary.json").exists():
-            return
-        if words[2].endswith("draw_map.py"):
-            self.good(["./magfsi", "study", *MAP_CELL, "--out", f"{run}/lattice"])
-            return
-        name = Path(run).name
-        scene = next(scene for scene in (f"tutorials/{name}", f"docs/howto/{name}.yaml")
-                     if (self.path / scene).exists())
-        self.good(["./magfsi", "run", scene, "--out", run])
+    def runs_for(self, words, page):
+        """Those that a script draws, as the page makes them."""
+        for run in blocks.runs_of(words):
+            if words[2].endswith("draw_map.py"):
+                self.good(["./magfsi", "study", *MAP_CELL, "--out", f"{run}/lattice"])
+            elif not (self.path / run / "summary.json").exists():
+                self.good(blocks.maker_of(run, page))
 
     def pictures(self):
         return {file: file.stat().st_mtime_ns for part in (".", "runs", "docs", "tutorials")
@@ -71,7 +66,7 @@ class Figures(unittest.TestCase):
                 continue
             with self.subTest(f"{page}: {shlex.join(words)}"):
                 began, before = time.monotonic(), folder.pictures()
-                folder.run_for(words)
+                folder.runs_for(words, page)
                 said = folder.good([*words, *LESS.get(words[2], [])])
                 testing.report(f"{time.monotonic() - began:6.0f} s  {shlex.join(words)}")
                 if words[1] == "python" and "costs.py" not in words[2]:

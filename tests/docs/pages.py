@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 from magfsi import runs, testing
+from PIL import Image
 
 sys.path.append(str(testing.ROOT / "tests/report"))
 import browser  # noqa: E402
@@ -80,6 +81,13 @@ class Site(unittest.TestCase):
             loaded = re.findall(r'<(?:script|img|link|iframe)[^>]*(?:src|href)="(?:https?:)?//[^"]*"', page.read_text())
             self.assertEqual(loaded, [], page)
 
+    def test_pictures_of_the_front_page_lead_to_their_tutorials(self):
+        """A link in a link would take the reader to the picture's file."""
+        home = (self.out / "html/docs/index.html").read_text()
+        found = re.findall(r'<a [^>]*href="\.\./tutorials/(\w+)/README\.html">(?:<span[^>]*>)?<img ', home)
+        names = {scene.parent.name for scene in (testing.ROOT / "tutorials").glob("*/scene.yaml")}
+        self.assertEqual(set(found), names)
+
     def test_links_of_the_html_lead_somewhere(self):
         """Once more on what a reader has: files and anchors."""
         html, missing = self.out / "html", []
@@ -97,6 +105,26 @@ class Site(unittest.TestCase):
                     missing.append(f"{page.relative_to(html)}: {link}")
         self.assertGreater(len(pages), 40)
         self.assertEqual(missing, [])
+
+
+class Pictures(unittest.TestCase):
+    """Figures in the width of the site's text, 46 em of 16 pixels less its margins. Matplotlib says in the file how wide it
+    meant them; their scripts' letters have 7 points at least."""
+    TEXT, LEAST, POINTS = 736, 8, 7  # pixels, pixels, points
+    # Of runs of hours, of searches, or drawn with those.
+    WIDER = {"docs/compare.png", "docs/experiments/figure.png", "docs/turek_hron.png", "tutorials/cilia/figure.png",
+             "tutorials/gait/search.png", "tutorials/helix/figure.png"}
+
+    def test_letters_can_be_read(self):
+        small = set()
+        for folder in ("docs", "tutorials"):
+            for file in (testing.ROOT / folder).rglob("*.png"):
+                with Image.open(file) as picture:
+                    if "dpi" in picture.info:  # of others there are no letters
+                        inches = picture.size[0] / picture.info["dpi"][0]
+                        if self.TEXT / inches * self.POINTS / 72 < self.LEAST:
+                            small.add(str(file.relative_to(testing.ROOT)))
+        self.assertEqual(small, self.WIDER)
 
 
 class Links(unittest.TestCase):
@@ -140,6 +168,18 @@ class Looked(unittest.TestCase):
             self.open(page.relative_to(self.html), PHONE)
             self.browser.run("document.querySelectorAll('details').forEach(part => { part.open = true; })")
             self.assertLessEqual(self.browser.run(WIDE), [PHONE, []], page)
+
+    def test_commands_and_their_remarks_are_read_without_scrolling(self):
+        """A remark stands beside its command or, as a whole, in the lines below."""
+        for page in ("docs/index.html", "tutorials/swimmer/README.html", "docs/report.html"):
+            for width in (PHONE, 1400):
+                self.open(page, width)
+                self.assertEqual(self.browser.run(
+                    "[...document.querySelectorAll('.highlight-sh pre')].filter(part => part.scrollWidth > part.clientWidth + 1)"
+                    ".map(part => part.textContent)"), [])
+                self.assertEqual(self.browser.run(
+                    "[...document.querySelectorAll('.highlight-sh pre .c1')].filter(part => part.getClientRects().length > 1)"
+                    ".map(part => part.textContent)"), [])
 
     def test_what_is_wider_is_found(self):
         self.open("docs/scene.html", PHONE)

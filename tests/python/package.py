@@ -34,6 +34,14 @@ class Tables(unittest.TestCase):
         self.assertEqual(runs.read_table(file, float), {"t[s]": [0, 1], "x[m]": [1, 2.5]})
         self.assertEqual(runs.read_rows(file)[1], {"t[s]": "1", "x[m]": "2.5"})
 
+    def test_a_long_course_is_the_same(self):
+        """It is read in another way."""
+        rows = [f"{i / 7!r},{(i - 1500) / 3!r}" for i in range(3000)]
+        for last in ("nan,-inf", "3000,0.1,2", "3000"):
+            found = runs.read_table(self.write("\n".join(["# from somewhere", "t[s],x[m]", *rows, last])), float)
+            self.assertEqual(found["x[m]"][:3000], [(i - 1500) / 3 for i in range(3000)])
+            self.assertEqual(len(found["t[s]"]), 3000 + (last == "nan,-inf"))
+
     def test_nothing_in_the_file(self):
         self.assertEqual(runs.read_table(self.write("")), {})
 

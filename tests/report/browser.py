@@ -7,9 +7,9 @@ import os
 import select
 import subprocess
 import time
+from pathlib import Path
 
 from magfsi import testing
-
 
 
 class Browser:
@@ -112,9 +112,9 @@ class Browser:
         ticks, to_see = 0, [self.process.pid]
         for pid in to_see:
             try:
-                words = open(f"/proc/{pid}/stat").read().rpartition(")")[2].split()
+                words = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
                 for task in os.listdir(f"/proc/{pid}/task"):
-                    to_see += map(int, open(f"/proc/{pid}/task/{task}/children").read().split())
+                    to_see += map(int, Path(f"/proc/{pid}/task/{task}/children").read_text().split())
             except FileNotFoundError:
                 continue  # ended meanwhile
             ticks += int(words[11]) + int(words[12])

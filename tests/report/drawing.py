@@ -18,6 +18,7 @@ import vtk
 from kinds import SECOND
 from magfsi import gallery, testing, units
 from magfsi.drawing import actors, camera, clock, magnetisation, stage
+from magfsi.drawing.labels import Labels
 from magfsi.drawing.stage import Stage, ensure_display
 from PIL import Image
 
@@ -196,10 +197,23 @@ class Written(unittest.TestCase):
         self.assertEqual(stage.labels.time.get_text(), f"field {1e3 * field['field[T]'][row]:.4g} mT")
         self.assertEqual(stage.labels.strength.get_text(), f"B = {1e3 * field['field[T]'][row]:.3g} mT")
 
+    def test_any_size(self):
+        """Some, such as 1020, are no whole number of pixels as inches in binary."""
+        for size in ((1020, 57), (64, 1020), (113, 115), (231, 229)):
+            blank = np.full((size[1], size[0], 3), 255, np.uint8)
+            self.assertEqual(Labels(size).over(blank).shape, blank.shape)
+
     def test_numbers_with_their_units(self):
         for value, unit, text in ((2e-5, "m", "20 \u00b5m"), (0.017, "T", "17 mT"), (62e3, "A/m", "62 kA/m"),
                                   (1500.0, "s", "1.5e+03 s"), (30.0, "deg", "30\u00b0"), (140.0, "1/s", "140 s\u207b\u00b9")):
             self.assertEqual(units.with_unit(value, unit), text)
+
+    def test_units_are_typeset(self):
+        for unit, text in (("1/s^2", "s\u207b\u00b2"), ("1/s", "s\u207b\u00b9"), ("m2/s", "m\u00b2/s"), ("mm2/s", "mm\u00b2/s"),
+                           ("m3/s", "m\u00b3/s"), ("kg/m3", "kg/m\u00b3"), ("J/m3", "J/m\u00b3"), ("A m2", "A m\u00b2"),
+                           ("m/s2", "m/s\u00b2"), ("kg m/s", "kg m/s"), ("N m", "N m"), ("1", ""), ("deg", "\u00b0"),
+                           ("rad/s", "rad/s"), ("A/m", "A/m")):
+            self.assertEqual(units.typeset(unit), text)
 
     def test_the_wheel_says_what_is_drawn(self):
         """Magnetisation along z of the body and the wheel's upper side have one colour."""

@@ -2,6 +2,8 @@
 """The page in headless Chromium as a person uses it: where it begins, values under the pointer, what is
 saved, keys, following, runs of different length, equilibria, a magnet, a phone."""
 import csv
+import json
+import re
 import unittest
 import xml.etree.ElementTree
 from pathlib import Path
@@ -10,8 +12,9 @@ import browser
 import kinds
 import numpy as np
 from in_a_browser import orange, pixels
-from magfsi import plotting, runs, testing
+from magfsi import plotting, runs, testing, units
 from magfsi.drawing.stage import ensure_display
+from magfsi.report import fields
 from vtk.util.numpy_support import vtk_to_numpy
 
 BEAM = testing.ROOT / "tutorials/beam"
@@ -166,6 +169,22 @@ class InUse(unittest.TestCase):
         # Nothing that is no curve is compared.
         self.assertFalse([r for r in rows if r[0] in ("tip_uy", "beam.energy_kinetic")])
 
+    def test_units_are_typeset_as_in_figures(self):
+        """Those of every column that a run may have, of the fluid's files, of an axis of equilibria and of a magnet: with
+        raised powers, and the same on the page as magfsi.units writes them."""
+        run = testing.good_run(testing.SMALL, {**kinds.FIELDS, "time.end": "1 ms", "probes.fluid": "[enstrophy, momentum]"})
+        self.open(run.folder, fragment="#t=0.001&flow=vorticity")
+        columns = re.findall(r"\[([^\]`]+)\]`", (testing.ROOT / "docs/probes.md").read_text())
+        asked = sorted({*columns, *fields.UNITS.values(), "deg", "1", "A m2", "m2/s", "kg/m3"})
+        self.assertGreater(len(asked), 15)
+        shown = self.browser.run(f"{json.dumps(asked)}.map(typeset)")
+        self.assertEqual(shown, [units.typeset(unit) for unit in asked])
+        # No letter is followed by a digit, or by a digit's sign.
+        self.assertEqual([unit for unit in shown if re.search(r"[A-Za-z]\^?[-0-9]|1/", unit)], [])
+        self.assertEqual(self.browser.run(f"{PANEL % 'enstrophy[1/s^2]'}.title.textContent"), "enstrophy [s⁻²]")
+        self.assertRegex(self.browser.run("document.getElementById('legend').textContent"), r"vorticity along y.* s⁻¹")
+        self.assertNotRegex(self.browser.run("document.querySelector('main').innerText"), r"\^2|1/s\b")
+
     def test_equilibria_are_over_what_was_varied(self):
         self.open(self.beam.folder, fragment="#t=0.2")
         self.assertEqual(self.browser.run(NOW), "field 26.4 mT")
@@ -173,7 +192,7 @@ class InUse(unittest.TestCase):
         self.assertEqual(self.browser.run(f"{PANEL % 'tip_u[m]'}.chart.options.scales.x.title.text"), "field [mT]")
         turning = testing.shared_run(testing.ROOT / "tutorials/turning", {})
         self.open(turning.folder)  # its end is furthest from the start
-        self.assertEqual(self.browser.run(NOW), "direction of the field in xz 90 deg")
+        self.assertEqual(self.browser.run(NOW), "direction of the field in xz 90°")
         self.open(turning.folder, fragment="#t=0.25")
         self.assertRegex(self.browser.run(NOW), "xz 21[34]")  # of 225 to 180 in a second
         # Turned as a whole, all else is constant: a line, no panels of rounding.

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import numpy as np
-from magfsi import testing
+from magfsi import runs, testing
 from magfsi.report.__main__ import write
 
 FIELDS = {"time.end": "2 ms", "output.structure.every": "0.5 ms",
@@ -56,7 +56,8 @@ def diverged():
 
 
 def long_course(run):
-    """A run folder with 100,000 rows of 30 columns and 1,000 frames: what is there of a long run."""
+    """A run folder with 100,000 rows of 30 columns and 1,000 frames of bodies and flow: what is there of a long
+    run."""
     folder = Path(testing.new_folder())
     t = np.linspace(0, 1, 100000)
     names = ["t[s]"] + [f"robot.q{i}[m]" for i in range(30)]
@@ -65,10 +66,11 @@ def long_course(run):
                comments="", fmt="%.9g")
     for file in ("scene.json", "run.json", "summary.json", "scene.yaml"):
         (folder / file).write_bytes((run.folder / file).read_bytes())
-    stored = sorted((run.folder / "fields").glob("structure_*.vtu"))
-    entries = "".join(f'<DataSet timestep="{i / 999}" part="0" file="{stored[i % len(stored)]}"/>'
-                      for i in range(1000))
-    (folder / "structure.pvd").write_text(f"<VTKFile><Collection>{entries}</Collection></VTKFile>")
+    for collection in ("structure.pvd", "fluid.pvd"):
+        stored = [file for _, file in runs.frames(run.folder, collection)]
+        entries = "".join(f'<DataSet timestep="{i / 999}" part="0" file="{stored[(i - 1000) % len(stored)]}"/>'
+                          for i in range(1000))  # the last is the run's last
+        (folder / collection).write_text(f"<VTKFile><Collection>{entries}</Collection></VTKFile>")
     return folder
 
 

@@ -14,7 +14,7 @@ import theory
 from matplotlib.collections import PolyCollection
 
 from magfsi import plotting
-from magfsi.plotting import GREY, INK
+from magfsi.plotting import GREY, INK, LETTERS_PT, WIDTH_IN
 
 BLUE, ORANGE = "#0072b2", "#d55e00"
 SHAPES_S = (0, 0.2, 0.25, 0.3, 1.0)
@@ -59,9 +59,12 @@ def main():
     probes = plotting.read_columns(chosen.folder / "probes.csv")
     table = courses({name: values[::4] for name, values in probes.items()})
     time, flow, height, still, in_flow = table.T
-    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, (vessel, heights, flows) = plt.subplots(1, 3, figsize=(10.2, 2.8), constrained_layout=True,
-                                                    width_ratios=(1.6, 1.3, 0.9))
+    plt.rcParams.update({"font.size": LETTERS_PT, "font.family": "DejaVu Sans"})
+    figure = plt.figure(figsize=(WIDTH_IN, 6.2), constrained_layout=True)
+    figure.get_layout_engine().set(w_pad=0.08, wspace=0.05, hspace=0.06)
+    rows = figure.add_gridspec(2, 1, height_ratios=(0.95, 1))
+    vessel = figure.add_subplot(rows[0])
+    heights, flows = rows[1].subgridspec(1, 2, width_ratios=(1.5, 1)).subplots()
     draw_vessel(vessel, chosen.folder)
     held = time > theory.RAMP - 0.08
     late = np.searchsorted(time, 0.8)
@@ -71,12 +74,12 @@ def main():
         heights.plot(time[held], 1e3 * values[held], ls=style, color=colour, lw=1.4)
         heights.annotate(text, (time[late], 1e3 * values[late]), to, textcoords="offset points", color=colour,
                          ha="right" if colour == BLUE else "left")
-    heights.set(xlabel="time [s]", ylabel="end of the tip above the middle [mm]", ylim=(1.3, 1.7))
+    heights.set(xlabel="time [s]", ylabel="end of the tip above\nthe middle [mm]", ylim=(1.3, 1.7))
     flows.plot(time, 1e6 * flow, color=BLUE, lw=1.4)
     flows.set(xlabel="time [s]", ylabel="flow [ml/s]", ylim=(0, None))
     for axes in (heights, flows):
         plotting.clean(axes)
-    figure.savefig(chosen.out, dpi=150)
+    figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
     if chosen.reference:
         chosen.reference.write_text("# Of scene.yaml.\n" + ",".join(COLUMNS) + "\n"

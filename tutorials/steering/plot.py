@@ -14,8 +14,8 @@ from magfsi.report import data
 
 HERE = pathlib.Path(__file__).resolve().parent
 COLOURS = {"x": "#d55e00", "y": "#777777", "z": "#0072b2"}
-ABOVE = {"frameon": False, "loc": "lower left", "bbox_to_anchor": (-0.02, 1.0), "borderaxespad": 0, "ncols": 4,
-         "columnspacing": 1, "handlelength": 1.6}
+ABOVE = {"frameon": False, "loc": "lower left", "bbox_to_anchor": (-0.05, 1.0), "borderaxespad": 0, "ncols": 4,
+         "columnspacing": 0.8, "handlelength": 1.3, "handletextpad": 0.4, "fontsize": plotting.SMALL_PT}
 
 
 def controller():
@@ -50,9 +50,12 @@ def main():
     chosen = plotting.figure_options(__doc__)
     probes = plotting.read_columns(chosen.folder / "probes.csv")
     time_ms = 1e3 * probes["t[s]"]
-    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, (course, field, shapes) = plt.subplots(1, 3, figsize=(11.4, 3.5), constrained_layout=True)
-    figure.get_layout_engine().set(wspace=0.08)
+    plt.rcParams.update({"font.size": plotting.LETTERS_PT, "font.family": "DejaVu Sans"})
+    figure = plt.figure(figsize=(plotting.WIDTH_IN, 6.4), constrained_layout=True)
+    figure.get_layout_engine().set(wspace=0.05, hspace=0.06)
+    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.15))
+    course, field = rows[0].subgridspec(1, 2).subplots()
+    shapes = figure.add_subplot(rows[1])
     draw_course(course, probes, time_ms)
     draw_field(field, probes, time_ms)
     found, faces, body = plot.views(chosen.folder)
@@ -61,8 +64,9 @@ def main():
     across = plot.draw_shapes(shapes, scene, found, faces, body)
     plot.draw_instants(shapes, curves.Probes(chosen.folder), found, across, field=False)
     shapes.plot([6], [6], "+", color="k", ms=9, zorder=9)
-    shapes.annotate("start", (6, 6), xytext=(6, -10), textcoords="offset points")
-    figure.savefig(chosen.out, dpi=150)
+    shapes.annotate("start", (6, 6), xytext=(8, -14), textcoords="offset points",
+                    bbox={"color": "white", "pad": 1.5, "alpha": 0.85}, zorder=9)
+    figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
 
 

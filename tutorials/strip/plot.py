@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from magfsi import plotting
-from magfsi.plotting import GREY
+from magfsi.plotting import GREY, LETTERS_PT, SMALL_PT, WIDTH_IN
 
 HERE = pathlib.Path(__file__).resolve().parent
 LENGTH_MM = 3.7
@@ -59,33 +59,35 @@ def draw_panel(axes, direction, shape):
     way = np.array([math.cos(math.radians(direction)), math.sin(math.radians(direction))])
     centre = np.array([0.05, 2.75])
     plotting.arrow(axes, centre + 0.5 * way, centre - 0.5 * way, "0.1", 1.2)
-    axes.text(0.8, 2.75, f"B at {direction}°", fontsize=8, va="center")
-    axes.text(4.3, 2.75, f"{shape.kind()}", fontsize=11, weight="bold", ha="right",
+    axes.text(0.8, 2.75, f"B at {direction}°", va="center")
+    axes.text(4.3, 2.75, f"{shape.kind()}", fontsize=13, weight="bold", ha="right",
               va="center")
     minus = "\N{MINUS SIGN}"
-    text = (f"ends {shape.end_to_end:.3f}   rise {shape.rise:+.3f}   "
+    text = (f"ends {shape.end_to_end:.3f}   rise {shape.rise:+.3f}\n"
             f"bend {shape.bend_deg:+.0f}°").replace("-", minus)
-    axes.text(1.85, -0.62, text, fontsize=7, ha="center", va="center", color="0.25")
-    axes.set(aspect="equal", xlim=(-0.6, 4.3), ylim=(-0.85, 3.35))
+    axes.text(1.85, -0.42, text, fontsize=SMALL_PT, ha="center", va="top", color="0.25")
+    axes.set(aspect="equal", xlim=(-0.6, 4.3), ylim=(-1.35, 3.35))
     axes.set_axis_off()
 
 
 def draw(folder, out):
-    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, axes = plt.subplots(2, 4, figsize=(9.6, 4.6))
+    plt.rcParams.update({"font.size": LETTERS_PT, "font.family": "DejaVu Sans"})
+    figure, axes = plt.subplots(3, 3, figsize=(WIDTH_IN, 7.0))
     print("direction  shape  end-to-end/L  rise/L  bend [deg]  line of ends [deg]")
     for room, direction in zip(axes.flat, DIRECTIONS):
         shape = Shape(folder / str(direction))
         draw_panel(room, direction, shape)
         print(f"{direction:9d}  {shape.kind():>5s}  {shape.end_to_end:12.4f}  "
               f"{shape.rise:+.4f}  {shape.bend_deg:+10.1f}  {shape.turn_deg:+.1f}")
-    room = axes.flat[5]  # the 225 degrees leave most of theirs free
-    room.plot([3.2, 4.2], [1.5, 1.5], color="0.1", lw=2, solid_capstyle="butt")
-    room.text(3.7, 1.6, "1 mm", fontsize=7, ha="center", va="bottom")
-    figure.text(0.01, 0.012, "dark: 20 mT, pale: 5 mT; ends: distance between the ends, "
-                "rise: of the middle over the line of the ends, both over the length; "
-                "bend: turn from the left end to the right one", fontsize=7, color=GREY)
-    figure.subplots_adjust(0.01, 0.06, 0.99, 0.99, wspace=0.04, hspace=0.04)
+    room = axes.flat[-1]
+    room.set(aspect="equal", xlim=(-0.6, 4.3), ylim=(-1.35, 3.35))
+    room.set_axis_off()
+    room.plot([0, 1], [2.75, 2.75], color="0.1", lw=2, solid_capstyle="butt")
+    room.text(1.2, 2.75, "1 mm", fontsize=SMALL_PT, va="center")
+    room.text(0, 2.3, "dark: 20 mT, pale: 5 mT\nends: distance between\nthe ends, over the length\n"
+              "rise: of the middle over\nthe line of the ends,\nover the length\n"
+              "bend: turn from the left\nend to the right one", fontsize=SMALL_PT, color=GREY, va="top", linespacing=1.25)
+    figure.subplots_adjust(0.01, 0.01, 0.99, 0.99, wspace=0.04, hspace=0.04)
     figure.savefig(out, dpi=200)
 
 

@@ -16,11 +16,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from magfsi import plotting
-from magfsi.plotting import GREY, INK, clean
+from magfsi.plotting import GREY, INK, LETTERS_PT, SMALL_PT, WIDTH_IN, clean
 
 INSTANTS = 9  # both ends of the period: the same phase twice shows the net rise
 PALE = "0.9"
-WIDTH_IN, LEFT_IN, RIGHT_IN = 7.2, 0.72, 0.12
+LEFT_IN, RIGHT_IN = 0.84, 0.16
 
 
 def last_period(time_s, period_s):
@@ -81,11 +81,11 @@ def draw_views(axes, probes, body, row):
         axes.axvline(row.x(time_s), color=PALE, lw=0.6, zorder=0)
         plotting.draw_faces(axes, view + [row.x(time_s), 0], zorder=2)
     keys_z = row.z_limits[0] + 0.25
-    key_x, bar_x = row.x_limits[0] + 0.4, row.x_limits[1] - 2.8
+    key_x, bar_x = row.x_limits[0] + 0.4, row.x_limits[1] - 3.2
     for x, text, style in ((key_x, "centre of mass", {"color": "0.6", "lw": 0.8}),
                            (bar_x, "1 mm", {"color": INK, "lw": 2})):
         axes.plot([x, x + 1], [keys_z, keys_z], solid_capstyle="butt", **style)
-        axes.text(x + 1.2, keys_z, text, va="center", fontsize=7, color=GREY,
+        axes.text(x + 1.2, keys_z, text, va="center", fontsize=SMALL_PT, color=GREY,
                   bbox={"color": "white", "pad": 1})
     since_start_ms = np.abs(np.round(1e3 * (row.times - row.start_s), 2))
     axes.set(xlim=row.x_limits, ylim=row.z_limits, ylabel="z [mm]",
@@ -109,7 +109,7 @@ def draw_height(axes, probes, body, row, reference):
     start_ms = 1e3 * row.start_s
     axes.axvspan(start_ms, start_ms + period_ms, color="0.93", lw=0)
     axes.text(start_ms + period_ms / 2, height.min() - 0.03 * np.ptp(height),
-              "shown in (a)", ha="center", va="bottom", fontsize=7, color=GREY)
+              "shown in (a)", ha="center", va="bottom", fontsize=SMALL_PT, color=GREY)
     for mark in marks:
         axes.axvline(mark, color="0.75", lw=0.6)
     if reference:
@@ -117,12 +117,12 @@ def draw_height(axes, probes, body, row, reference):
         inside = fine_ms <= time_ms[-1] + 1e-6 * period_ms
         axes.plot(fine_ms[inside], fine[inside], color=GREY, lw=0.9, ls="--")
         axes.text(0.65, 0.04, "dashed: converged.yaml", transform=axes.transAxes,
-                  fontsize=7, color=GREY, ha="right", va="bottom")
+                  fontsize=SMALL_PT, color=GREY, ha="right", va="bottom")
     axes.plot(time_ms, height, color=INK, lw=1.2)
     axes.plot(marks, at_marks, "o", ms=4, color=INK, clip_on=False)
     for left, rise in zip(marks, np.diff(at_marks)):
         label = f"{rise:+.2f} mm".replace("-", "\N{MINUS SIGN}")
-        axes.text(left + period_ms / 2, top, label, ha="center", va="top", fontsize=8)
+        axes.text(left + period_ms / 2, top, label, ha="center", va="top", fontsize=LETTERS_PT)
     axes.set(xlim=(time_ms[0], time_ms[-1]),
              ylim=(height.min() - 0.05 * np.ptp(height), top), xlabel="time [ms]",
              ylabel="height of the\ncentre of mass [mm]")
@@ -131,11 +131,11 @@ def draw_height(axes, probes, body, row, reference):
 
 
 def draw(probes, body, row, out, reference):
-    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans",
+    plt.rcParams.update({"font.size": LETTERS_PT, "font.family": "DejaVu Sans",
                          "axes.linewidth": 0.6, "xtick.major.width": 0.6,
                          "ytick.major.width": 0.6})
-    field_in, views_in, height_in = 0.6, row.height_in(), 1.7
-    gaps = {"top": 0.2, "field": 0.12, "views": 0.75, "bottom": 0.45}  # inches, downwards
+    field_in, views_in, height_in = 0.7, row.height_in(), 2.0
+    gaps = {"top": 0.22, "field": 0.12, "views": 0.85, "bottom": 0.5}  # inches, downwards
     total = field_in + views_in + height_in + sum(gaps.values())
     figure = plt.figure(figsize=(WIDTH_IN, total))
 

@@ -14,7 +14,7 @@ import numpy as np
 from vtk.util.numpy_support import vtk_to_numpy
 
 from magfsi import plotting
-from magfsi.plotting import GREY, INK
+from magfsi.plotting import GREY, INK, LETTERS_PT, WIDTH_IN
 
 HERE = pathlib.Path(__file__).resolve().parent
 INSTANT_S = 100e-3  # of the water
@@ -45,6 +45,7 @@ def draw_water(axes, folder, time_s):
     time, frame = plotting.nearest_frames(plotting.frames(folder), [time_s])[0]
     plotting.draw_faces(axes, plotting.side_view_mm(frame), width=0.2)
     axes.set(aspect="equal", title=f"the tank at {1e3 * time:.0f} ms", xlabel="x [mm]", ylabel="z [mm]")
+    axes.locator_params(nbins=6, steps=(1, 2, 5, 10))
     return shown
 
 
@@ -60,15 +61,18 @@ def main():
     options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
     chosen = options.parse_args()
     box = chosen.box / "probes.csv" if chosen.box.is_dir() else chosen.box
-    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, (whole, near, rise) = plt.subplots(1, 3, figsize=(11.4, 3.4), constrained_layout=True)
-    figure.get_layout_engine().set(wspace=0.08)
+    plt.rcParams.update({"font.size": LETTERS_PT, "axes.titlesize": LETTERS_PT, "font.family": "DejaVu Sans"})
+    figure = plt.figure(figsize=(WIDTH_IN, 6.2), constrained_layout=True)
+    figure.get_layout_engine().set(wspace=0.05, hspace=0.06)
+    rows = figure.add_gridspec(2, 1, height_ratios=(1.15, 1))
+    whole, near = rows[0].subgridspec(1, 2).subplots()
+    rise = figure.add_subplot(rows[1])
     probes = plotting.read_columns(chosen.folder / "probes.csv")
     shown = draw_water(whole, chosen.folder, INSTANT_S)
     draw_water(near, chosen.folder, INSTANT_S)
     height = 1e3 * probes["robot.com_z[m]"][-1]
     near.set(xlim=(14, 26), ylim=(height - 6, height + 6), title="at the robot")
-    figure.colorbar(shown, ax=near, label="speed of the water [mm/s]", extend="max")
+    figure.colorbar(shown, ax=near, label="speed of the water [mm/s]", extend="max", shrink=0.92)
     draw_rise(rise, probes, "tank of 40 mm", color=COLOUR, lw=1.4)
     draw_rise(rise, plotting.read_columns(box), "box of 16 x 8 x 16 mm", color=BOX_COLOUR, lw=1.2, ls="--")
     for period in (40, 80, 120):
@@ -78,7 +82,7 @@ def main():
     rise.legend(frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2, columnspacing=1, handlelength=1.6,
                 borderaxespad=0)
     plotting.clean(rise)
-    figure.savefig(chosen.out, dpi=150)
+    figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
 
 

@@ -13,7 +13,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from magfsi import plotting
-from magfsi.plotting import GREY, INK, draw_faces, heading_deg
+from magfsi.plotting import GREY, INK, LETTERS_PT, SMALL_PT, WIDTH_IN, draw_faces, heading_deg
 
 HERE = pathlib.Path(__file__).resolve().parent
 RUNS = {
@@ -43,12 +43,12 @@ def draw_views(axes, runs):
         step = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
         foot = np.array([x, 2.2])
         plotting.arrow(axes, foot + 0.45 * step, foot - 0.45 * step)
-        axes.text(x, 2.85, f"{angle}\N{DEGREE SIGN}", ha="center", fontsize=8)
-        axes.text(x, -1.75, names[k], ha="center", fontsize=7, color=GREY)
+        axes.text(x, 2.85, f"{angle}\N{DEGREE SIGN}", ha="center", fontsize=LETTERS_PT)
+        axes.text(x, -1.75, names[k], ha="center", fontsize=SMALL_PT, color=GREY)
     axes.axvline(3.5 * pitch + 0.25, color="0.8", lw=0.8)
-    axes.text(-2.6, 2.2, "field", fontsize=7, color=GREY, va="center")
+    axes.text(-2.6, 2.2, "field", fontsize=SMALL_PT, color=GREY, va="center")
     axes.plot([-2.5, -1.5], [-1.65, -1.65], color=INK, lw=2, solid_capstyle="butt")
-    axes.text(-2.0, -1.5, "1 mm", ha="center", fontsize=7)
+    axes.text(-2.0, -1.5, "1 mm", ha="center", fontsize=SMALL_PT)
     axes.set(xlim=(-2.9, 4 * pitch + 2.2), ylim=(-2.0, 3.3), aspect="equal")
     axes.axis("off")
 
@@ -57,19 +57,19 @@ def draw_heading(axes, found):
     turned = found["turned"]
     angle = np.interp(turned["t[s]"], [0, 1, 2, 3], [225, 180, 135, 90])
     axes.plot(angle, heading_deg(turned), color=INK, lw=1.2)
-    axes.text(225, -80, "line: Newton", fontsize=7.5, ha="left")
+    axes.text(225, -80, "line: Newton", fontsize=SMALL_PT, ha="left")
     motion = found["motion"]
     rest = np.isin(np.round(motion["t[s]"], 4), (0.1, 0.25, 0.4, 0.6))
     axes.plot([225, 180, 135, 90], heading_deg(motion)[rest], "o", ms=7, mfc="none", mec=INK)
-    axes.text(225, -100, "circles: motion in time, at rest", fontsize=7.5, ha="left")
+    axes.text(225, -100, "circles: motion in time, at rest", fontsize=SMALL_PT, ha="left")
     platform = found["platform"]
     held = platform["t[s]"] >= 1 - 1e-9
     angle = np.interp(platform["t[s]"], [1, 2, 3, 4], [225, 180, 135, 90])
     axes.plot(angle[held], heading_deg(platform)[held], "+", ms=6, color=INK)
-    axes.text(225, -120, "crosses: on a platform, with weight", fontsize=7.5, ha="left")
+    axes.text(225, -120, "crosses: on a platform, with weight", fontsize=SMALL_PT, ha="left")
     flat = heading_deg(found["flat"])[-1]
     axes.plot([90], [flat], "D", ms=5, mfc="white", mec=INK)
-    axes.text(93, flat, "V from flat", fontsize=7.5, ha="right", va="center")
+    axes.text(93, flat, "V from flat", fontsize=SMALL_PT, ha="right", va="center")
     axes.set(xlim=(232, 83), xticks=[225, 180, 135, 90], ylim=(-150, 60),
              yticks=[-135, -90, -45, 0, 45], xlabel="direction of the field [\N{DEGREE SIGN}]",
              ylabel="heading of the line\nbetween the ends [\N{DEGREE SIGN}]")
@@ -97,8 +97,8 @@ def main():
         plotting.run_all(HERE, RUNS, chosen.folder)
     found = {name: plotting.read_columns(chosen.folder / name / "probes.csv") for name in RUNS}
     report(found)
-    plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6})
-    figure = plt.figure(figsize=(7.2, 4.7))
+    plt.rcParams.update({"font.size": LETTERS_PT, "axes.linewidth": 0.6})
+    figure = plt.figure(figsize=(WIDTH_IN, 4.7))
     draw_views(figure.add_axes([0.02, 0.53, 0.97, 0.46]), chosen.folder)
     draw_heading(figure.add_axes([0.13, 0.1, 0.8, 0.4]), found)
     plotting.letters(figure, {"a": (0.01, 0.97), "b": (0.01, 0.52)})

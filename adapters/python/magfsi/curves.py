@@ -16,7 +16,8 @@ DASHES = ["-", (0, (5, 2)), (0, (1.2, 1.4)), (0, (7, 2, 1.5, 2)), (0, (3, 1, 1, 
 # place, of a quantity without unit.
 ROUNDING, OF_A_PLACE, NOTHING = 1e-6, 1e-9, 1e-12
 KINDS = {"m": "lengths", "m/s": "velocities", "N": "forces", "N m": "torques", "J": "energies", "T": "field",
-         "rad": "angles", "1": "ratios", "1/s": "rates", "m3/s": "flows", "Pa": "pressures", "kg m/s": "momenta"}
+         "rad": "angles", "1": "ratios", "1/s": "rates", "m3/s": "flows", "Pa": "pressures", "kg m/s": "momenta",
+         "N s": "impulses", "rad/s": "rates of turning"}
 
 
 def unit_of(name):
@@ -124,7 +125,7 @@ def panels(columns):
 def _kind(unit, some):
     if all(label in ("x", "y", "z", "w") for label, _ in some):
         return "components"
-    return KINDS.get(unit, unit) if len(some) > 1 else "magnitude"
+    return KINDS.get(unit, units.typeset(unit)) if len(some) > 1 else "magnitude"
 
 
 def is_place(name):

@@ -21,6 +21,7 @@ from magfsi.runs import ROOT, frames  # noqa: F401
 
 matplotlib.use("Agg")
 INK, GREY = "0.1", "0.45"
+WIDTH_IN, LETTERS_PT, SMALL_PT = 7.2, 10, 9  # of figures: on a page of 740 pixels letters are 13 to 14 high
 
 
 def run(scene, folder, settings=()):
@@ -95,7 +96,7 @@ def arrow(axes, tip, foot, colour=GREY, width=1.3):
 def letters(figure, places):
     """places: {letter: (x, y)} of the panels, in shares of the figure."""
     for letter, (x, y) in places.items():
-        figure.text(x, y, f"({letter})", weight="bold", fontsize=9, va="center")
+        figure.text(x, y, f"({letter})", weight="bold", fontsize=LETTERS_PT, va="center")
 
 
 def heading_deg(probes, start="left", end="right"):

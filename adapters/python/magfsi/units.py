@@ -37,16 +37,27 @@ def parse(text):
 
 # What axes and legends show of units: those that take a prefix, and their letters.
 SIZES = {1e9: "G", 1e6: "M", 1e3: "k", 1.0: "", 1e-3: "m", 1e-6: "\u00b5", 1e-9: "n", 1e-12: "p"}
-WITH_PREFIX = {"m", "s", "m/s", "N", "J", "T", "Pa", "W", "A/m", "N m"}
-LETTERS = {"1": "", "deg": "\u00b0", "1/s": "s\u207b\u00b9", "1/s^2": "s\u207b\u00b2", "m3/s": "m\u00b3/s",
-           "m2/s": "m\u00b2/s"}
+WITH_PREFIX = {"m", "s", "m/s", "N", "J", "T", "Pa", "W", "A/m", "N m", "N s"}
+DEGREE = "\u00b0"
+RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
+
+
+def typeset(unit):
+    """As a reader is to see it: "1/s^2" as s\u207b\u00b2, "m2/s" as m\u00b2/s, "deg" as \u00b0, "1" as nothing. The page
+    does the same (report/colours.js)."""
+    if unit in ("", "1"):
+        return ""
+    over = re.fullmatch(r"1/([A-Za-z]+)\^?(\d*)", unit)
+    if over:
+        return over[1] + f"-{over[2] or 1}".translate(RAISED)
+    return re.sub(r"(?<=[A-Za-z])\^?(-?\d+)", lambda power: power[1].translate(RAISED), re.sub(r"\bdeg\b", DEGREE, unit))
 
 
 def scaled(largest, unit):
     """(factor, unit) in which a value of this size is between 1 and 1000, for units that take a
     prefix. Nobody says kiloseconds."""
     if not largest > 0 or unit not in WITH_PREFIX:
-        return 1.0, LETTERS.get(unit, unit)
+        return 1.0, typeset(unit)
     size = max((s for s in SIZES if s <= largest * (1 + 1e-9) and (unit != "s" or s <= 1)), default=1e-12)
     return 1 / size, SIZES[size] + unit
 
@@ -54,4 +65,4 @@ def scaled(largest, unit):
 def with_unit(value, unit, digits=3):
     """"17 mT"."""
     factor, shown = scaled(abs(value), unit)
-    return f"{factor * value:.{digits}g}{'' if shown in ('', LETTERS['deg']) else ' '}{shown}"
+    return f"{factor * value:.{digits}g}{'' if shown in ('', DEGREE) else ' '}{shown}"

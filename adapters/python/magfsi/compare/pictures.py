@@ -81,9 +81,7 @@ def draw_curves(found, out):
 
 def flows(side):
     """{time: files} of the flow on grids."""
-    stored = [(time, [file for file in files if file.suffix in (".vti", ".pvti")])
-              for time, files in fields.stored_frames(side.folder, "fluid.pvd")]
-    return {time: files for time, files in stored if files}
+    return dict(fields.flow_frames(side.folder))
 
 
 def pairs(first, second, span, most=INSTANTS):
@@ -240,7 +238,7 @@ def draw_fields(found, out, quantity="speed", plane=None):
     for i, row in enumerate(grid):
         images = _draw_instant(row, sides, view, times[i], slices[i] if slices else None, ranges)
     if slices:
-        unit = units.LETTERS.get(fields.UNITS[quantity], fields.UNITS[quantity])
+        unit = units.typeset(fields.UNITS[quantity])
         for image, places, label in ((images[0], grid[:, :2], quantity),
                                      (images[2], grid[:, 2], "difference")):
             figure.colorbar(image, ax=places, label=f"{label} [{unit}]", location="bottom",

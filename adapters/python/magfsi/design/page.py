@@ -78,7 +78,7 @@ def _draw_pose(axes_of_figure, problem, objective, vectors, x, field, title, axe
     axes_of_figure.text(*(middle - [0, 0.13 * length]), "B", color=FIELD, ha="center", va="top")
     axes_of_figure.set_xlim(low[0] - 0.3 * length, high[0])
     axes_of_figure.set_ylim(low[1], high[1])
-    axes_of_figure.set_title(title, fontsize=9)
+    axes_of_figure.set_title(title, fontsize=10)
     axes_of_figure.set_aspect("equal")
     axes_of_figure.set_xlabel(f"{'xyz'[axes[0]]} [mm]")
     axes_of_figure.set_ylabel(f"{'xyz'[axes[1]]} [mm]")
@@ -92,7 +92,7 @@ def _draw_history(axes, search):
     other = axes.twinx()
     other.plot(seconds, [100 * s.share for s in search.history], color=FIELD, lw=1)
     other.set_ylabel("part of the way [%]", color=FIELD)
-    axes.set_title("history", fontsize=9)
+    axes.set_title("history", fontsize=10)
 
 
 def figure(problem, search, state, facts):
@@ -103,22 +103,22 @@ def figure(problem, search, state, facts):
 
     designs, axes = search.unknowns.designs(state.p), _plane(problem, search, state)
     count = len(search.poses) + 1
-    columns = min(3, count)
+    columns = 2
     rows = -(-count // columns)
-    picture, grid = plt.subplots(rows, columns, figsize=(3.6 * columns, 3.2 * rows), squeeze=False,
-                                 constrained_layout=True)
-    places = list(grid.flat)
-    for unused in places[count:]:
-        unused.set_axis_off()
+    picture = plt.figure(figsize=(3.6 * columns, 3.2 * rows), constrained_layout=True)
+    grid = picture.add_gridspec(rows, columns)
+    # The history takes what is left of the last row.
+    places = [picture.add_subplot(grid[i // columns, i % columns]) for i in range(count - 1)]
+    history = picture.add_subplot(grid[-1, (count - 1) % columns:])
     for place, pose, objective, x, d in zip(places, problem.wanted.poses, search.poses, state.x, designs):
         error = facts["poses"][pose.name]["error"]
         _draw_pose(place, problem, objective, d.magnetization, x, d.field,
                    f"{pose.name}: {100 * error:.2g} % of the length", axes)
     if any(isinstance(t, Points) for t in search.poses[0].terms):
-        places[0].legend(fontsize=7, frameon=False, loc="lower left")
-    _draw_history(places[count - 1], search)
+        places[0].legend(fontsize=9, frameon=False, loc="lower left", borderaxespad=0.2, handlelength=1.6)
+    _draw_history(history, search)
     data = io.BytesIO()
-    picture.savefig(data, dpi=150, format="png")
+    picture.savefig(data, dpi=200, format="png")
     plt.close(picture)
     return data.getvalue()
 

@@ -172,28 +172,52 @@ def vortex_strength(image):
     return np.linalg.norm(vtk_to_numpy(image.GetCellData().GetArray(name)), axis=1)
 
 
-def vortex_surfaces(file, values):
-    """A filter that makes the surface of each of these strengths; none of a file without a flow."""
-    image = read_grid(file)
-    strength = vortex_strength(image)
-    if strength is None or not strength.max():
+def strengths(files):
+    """[(image, |curl u| in its cells)] of an instant's grids, the finest last; none of files without a flow."""
+    images = sorted(map(read_grid, files), key=lambda image: -image.GetSpacing()[0])
+    return [(image, strength) for image in images if (strength := vortex_strength(image)) is not None]
+
+
+def outside(source, bounds):
+    """What is left of a surface outside of a box."""
+    box = vtk.vtkBox()
+    box.SetBounds(bounds)
+    cut = vtk.vtkClipPolyData()
+    cut.SetInputConnection(source.GetOutputPort())
+    cut.SetClipFunction(box)
+    return cut
+
+
+def vortex_surfaces(files, values):
+    """A filter that makes the surface of each of these strengths, each part of it on the finest grid that is
+    there; none without a flow."""
+    grids = strengths(files)
+    if not grids or not max(strength.max() for _, strength in grids):
         return
-    scalar = numpy_to_vtk(strength, deep=True)
-    scalar.SetName("strength")
-    image.GetCellData().SetScalars(scalar)
-    points = vtk.vtkCellDataToPointData()
-    points.SetInputData(image)
+    at_points = []
+    for image, strength in grids:
+        scalar = numpy_to_vtk(strength, deep=True)
+        scalar.SetName("strength")
+        image.GetCellData().SetScalars(scalar)
+        points = vtk.vtkCellDataToPointData()
+        points.SetInputData(image)
+        at_points.append(points)
     for value in values:
-        surface = vtk.vtkContourFilter()
-        surface.SetInputConnection(points.GetOutputPort())
-        surface.SetInputArrayToProcess(0, 0, 0, 0, "strength")
-        surface.SetValue(0, value)
-        yield surface
+        whole = vtk.vtkAppendPolyData()
+        for i, points in enumerate(at_points):
+            surface = vtk.vtkContourFilter()
+            surface.SetInputConnection(points.GetOutputPort())
+            surface.SetInputArrayToProcess(0, 0, 0, 0, "strength")
+            surface.SetValue(0, value)
+            for finer, _ in grids[i + 1:]:
+                surface = outside(surface, finer.GetBounds())
+            whole.AddInputConnection(surface.GetOutputPort())
+        yield whole
 
 
-def vortices(file, levels):
+def vortices(files, levels):
     """A translucent surface for each level."""
-    for surface, (_, colour, opacity) in zip(vortex_surfaces(file, [value for value, _, _ in levels]), levels):
+    for surface, (_, colour, opacity) in zip(vortex_surfaces(files, [value for value, _, _ in levels]), levels):
         yield actor(surface, colour, opacity, ambient=0.35, diffuse=0.7, specular=0.15)
 
 
@@ -201,7 +225,7 @@ def levels_of(files, asked):
     """[(level in 1/s, colour, opacity)]: those that are asked for, or shares of the largest in these
     files."""
     if not asked:
-        found = [strength.max() for strength in map(vortex_strength, map(read_grid, files)) if strength is not None]
+        found = [strength.max() for _, strength in strengths(files)]
         asked = [float(f"{share * max(found):.2g}") for share in SHARES_OF_MAXIMUM] if found and max(found) else []
     return list(zip(asked, WATER, OPACITIES))
 

@@ -22,7 +22,8 @@ class Labels:
 
     def __init__(self, size):
         self.size, self.unit = size, min(size[0] / 900, size[1] / 620)
-        self.figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI)
+        # Matplotlib cuts off what follows the point: 1020 / 100 * 100 would be 1019 pixels.
+        self.figure = Figure(figsize=[(pixels + 0.01) / DPI for pixels in size], dpi=DPI)
         self.figure.patch.set_alpha(0)
         self.canvas = FigureCanvasAgg(self.figure)
         self.halo = [patheffects.withStroke(linewidth=3 * self.points(1), foreground="#ffffffb0")]
@@ -76,7 +77,7 @@ class Labels:
         patches = [Patch(facecolor=(*colour, min(1, 2 * opacity)), edgecolor=GREY, linewidth=self.points(0.5),
                          label=f"{value:.4g}") for value, colour, opacity in levels]
         legend = self.figure.legend(
-            handles=patches, ncols=len(patches), title=f"{title} [{units.LETTERS.get(unit, unit)}]", frameon=False,
+            handles=patches, ncols=len(patches), title=f"{title} [{units.typeset(unit)}]", frameon=False,
             loc="lower right", bbox_to_anchor=((self._right() + 6) * self.unit / self.size[0],
                                                self.below * self.unit / self.size[1]), borderpad=0, borderaxespad=0,
             fontsize=self.points(11), title_fontsize=self.points(12.5), handlelength=1.6, columnspacing=1.2,

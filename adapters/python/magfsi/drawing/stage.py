@@ -78,8 +78,7 @@ class Stage:
         self.robot = actors.Robot(ends) if ends else None
         view = VIEWS["corner" if self.picture else "page"] if view is None else view
         self.axes = axes(*view)
-        self.flows = [(t, files[0]) for t, files in fields.stored_frames(self.folder, "fluid.pvd")] \
-            if self.picture and "vortices" not in hidden else []
+        self.flows = fields.flow_frames(self.folder) if self.picture and "vortices" not in hidden else []
         self.renderer, self.above = vtk.vtkRenderer(), vtk.vtkRenderer()
         self.levels, self.moving, self.shown_flow = levels, [], None
         self._colour(colour)
@@ -184,7 +183,7 @@ class Stage:
     def _levels(self):
         """Of the vortices, the same over a film; known when the first are drawn."""
         if not isinstance(self.levels, tuple):
-            self.levels = tuple(actors.levels_of([self.flows[-1][1]], self.levels))
+            self.levels = tuple(actors.levels_of(self.flows[-1][1], self.levels))
             if self.levels and "bars" not in self.hidden:
                 self.labels.surfaces("vortices: |curl u|", "1/s", self.levels)
         return self.levels
@@ -237,13 +236,13 @@ class Stage:
     def _show_vortices(self, time):
         if not self.flows:
             return
-        file = min(self.flows, key=lambda item: abs(item[0] - time))[1]
-        if file == self.shown_flow:
+        files = min(self.flows, key=lambda item: abs(item[0] - time))[1]
+        if files == self.shown_flow:
             return
         for shape in self.moving:
             self.renderer.RemoveActor(shape)
-        self.shown_flow = file
-        self.moving = list(actors.vortices(file, self._levels()))
+        self.shown_flow = files
+        self.moving = list(actors.vortices(files, self._levels()))
         for shape in self.moving:
             self.renderer.AddActor(shape)
 

@@ -7,6 +7,7 @@ import sys
 
 import yaml
 
+from magfsi import units
 from magfsi.optimize.search import Point, ranked, run_at
 from magfsi.study import store
 
@@ -216,7 +217,7 @@ def draw(search, points, path, folder=None):
                              c=[q.number + 1 for q in good], s=16, cmap="viridis")
         if best:
             axes.plot([best.values[p.name] / p.size], [best.value], **BEST)
-        axes.set_xlabel(f"{p.name.replace('_', ' ')} [{p.unit}]" if p.unit else p.name)
+        axes.set_xlabel(f"{p.name.replace('_', ' ')} [{units.typeset(p.unit)}]" if p.unit else p.name)
         axes.sharey(places[0])
         axes.tick_params(labelleft=number % columns == 0)
     for row in range(rows):

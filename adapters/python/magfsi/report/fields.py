@@ -17,6 +17,7 @@ MOST_ARROWS = 28  # along a side of a slice
 READING_S = 1.0  # of bodies, and of a slice, in one answer of a page that is made again and again
 IN_PLANE = ("first", "second")  # components of the velocity along the axes of a slice
 AXES = "xyz"
+DECIMALS = 80  # characters of an instant and of a place
 
 
 def packed(array, kind):
@@ -40,6 +41,13 @@ def stored_frames(folder, collection):
         if file.exists():
             instants.setdefault(time, []).append(file)
     return list(instants.items())
+
+
+def flow_frames(folder):
+    """Those of the flow on grids."""
+    stored = [(time, [file for file in files if file.suffix in (".vti", ".pvti")])
+              for time, files in stored_frames(folder, "fluid.pvd")]
+    return [(time, files) for time, files in stored if files]
 
 
 _remembered = None  # {(file, of what): what was read of it}, where frames are kept
@@ -176,8 +184,8 @@ def bodies(folder, most_bytes):
         return None
     first = read_grid(stored[0][1][0])
     faces, elements, nodes = surface(first)
-    # Base64 takes four characters for three bytes.
-    each = (7 * len(nodes) + len(faces)) * 4 / 3
+    # Base64 takes four characters for three bytes; the instant and the middle are written as decimals.
+    each = (7 * len(nodes) + len(faces)) * 4 / 3 + DECIMALS
     found = read(chosen(stored, most_bytes / each), ("body",),
                  lambda files: one_frame(files[0], nodes, elements))
     frames, made = zip(*found)
@@ -282,13 +290,18 @@ def one_slice(files, axis, at, most_side):
     return made, [coarse.low[a] for a in across], size
 
 
+def at_arrows(values):
+    """(every how many, of a slice's values those at the places of arrows)."""
+    stride = max(1, max(values.shape) // MOST_ARROWS)
+    return stride, values[stride // 2::stride, stride // 2::stride]
+
+
 def arrows(slices):
     """Velocities in the plane on so many places that arrows have room, a signed byte a component."""
     if IN_PLANE[0] not in slices[0]:
         return None
-    stride = max(1, max(slices[0][IN_PLANE[0]].shape) // MOST_ARROWS)
-    values = np.array([[found.pop(name)[stride // 2::stride, stride // 2::stride] for name in IN_PLANE]
-                       for found in slices])
+    stride, _ = at_arrows(slices[0][IN_PLANE[0]])
+    values = np.array([[at_arrows(found.pop(name))[1] for name in IN_PLANE] for found in slices])
     largest = float(np.quantile(np.hypot(values[:, 0], values[:, 1]), SHARE_IN_COLOUR))
     if not largest:
         return None
@@ -304,9 +317,7 @@ def flows(folder, scene, at, most_bytes):
     """Slices through a place: in the plane of the field, or across y, then in the two other planes."""
     plane = scene.get("magnetic_field", {}).get("plane", "xz")
     first = next(a for a in range(3) if AXES[a] not in plane)
-    stored = [(time, [f for f in files if f.suffix in (".vti", ".pvti")])
-              for time, files in stored_frames(folder, "fluid.pvd")]
-    stored = [(time, files) for time, files in stored if files]
+    stored = flow_frames(folder)
     if not stored:
         return []
     made = [flow(stored, axis, at, (0.6 if axis == first else 0.2) * most_bytes,
@@ -320,7 +331,7 @@ def flow(stored, axis, at, most_bytes, most_side):
     first, _, _ = one_slice(stored[-1][1], axis, at, most_side)
     if not first:
         return None
-    each = sum(values.size for name, values in first.items() if name not in IN_PLANE) * 4 / 3
+    each = sum((at_arrows(values)[1] if name in IN_PLANE else values).size for name, values in first.items()) * 4 / 3
     found = read(chosen(stored, min(MOST_SLICES, most_bytes / each)), ("slice", axis, at),
                  lambda files: one_slice(files, axis, at, most_side))
     frames, made = zip(*found)

@@ -156,7 +156,7 @@ function legend(box, text, q, glass = 1, range = 1) {
   add(bar, "span", (beyond && q.signed ? "≤ " : "") + number(factor * range * q.low), "number");
   const map = add(add(bar, "span", undefined, "map"), "i"); // on the view's paper, as the slice
   map.style.background = gradient(q); map.style.opacity = glass;
-  add(bar, "span", `${beyond ? "≥ " : ""}${number(factor * range * q.high)}${unit === "1" ? "" : " " + unit}`, "number");
+  add(bar, "span", `${beyond ? "≥ " : ""}${number(factor * range * q.high)}${behind(unit)}`, "number");
 }
 
 // The levels of the surfaces; go() says of which instant they are.
@@ -166,7 +166,7 @@ function legendOfVortices(box) {
   levels.forEach(({ value }, i) => {
     const level = add(item, "span", undefined, "bar-ends");
     add(level, "i", undefined, "mark").style.background = `rgb(${view.vortices.colour(i).map(v => Math.round(255 * v)).join()})`;
-    add(level, "span", `${number(value)}${i === levels.length - 1 ? ` ${unit}` : ""}`, "number");
+    add(level, "span", `${number(value)}${i === levels.length - 1 ? behind(typeset(unit)) : ""}`, "number");
   });
   sayInstant();
 }

@@ -53,7 +53,7 @@ class Panel {
     this.x = xs[1] > xs[0] ? xs : [xs[0], xs[0] + 1];
     [this.factor, this.unit] = scaled(Math.max(Math.abs(low), Math.abs(high)), unitOf(this.name));
     [this.xFactor, this.xUnit] = scaled(Math.max(...this.x.map(Math.abs)), this.axis.unit);
-    const unit = this.unit === "1" ? "" : ` [${this.unit}]`;
+    const unit = this.unit && ` [${this.unit}]`;
     this.title.textContent = `${lines[0]?.place ? "Δ " : ""}${plain(this.name)}${unit}`;
     this.canvas.ariaLabel = `${this.title.textContent} over ${this.axis.name}: ${lines.map(l => {
       const [a, b] = spread(l.values);
@@ -81,8 +81,9 @@ class Panel {
     this.chart?.destroy();
     const ink = style("--ink"), grid = style("--line"), components = this.all.some(l => l.part), single = this.lines.length < 2;
     const datasets = this.lines.map(l => {
-      const axis = l.part ? PARTS[l.part] : 0, xs = this.axis.of(l.run), whole = !l.part && components;
-      const colour = whole ? ink : line(this.several ? l.r : axis);
+      // A magnitude beside components: black in one run, in the run's colour with dashes of its own in several.
+      const whole = !l.part && components, axis = l.part ? PARTS[l.part] : whole && this.several ? DASHES.length - 1 : 0;
+      const xs = this.axis.of(l.run), colour = whole && !this.several ? ink : line(this.several ? l.r : axis);
       const data = Array.from(l.values, (v, i) => ({ x: this.xFactor * xs[i], y: this.factor * v }));
       if (data.at(-1).x < data[0].x) data.reverse();
       return { data, label: this.label(l), borderColor: colour, backgroundColor: colour, borderDash: DASHES[axis], borderWidth: 1.5,
@@ -91,7 +92,7 @@ class Panel {
     const [lowest, highest] = [Math.min, Math.max].map(most => datasets.reduce((v, d) => d.data.reduce((w, p) => most(w, p.y), v), 0));
     const axis = (title, more) => ({ grid: { color: grid, drawBorder: false }, ticks: { color: ink, maxRotation: 0, includeBounds: false, autoSkipPadding: 12, callback: number, ...more },
       title: { display: title !== "", text: title, color: ink, padding: 0 } });
-    const one = this.xUnit === "1" ? "" : ` ${this.xUnit}`, y = this.unit === "1" ? "" : ` ${this.unit}`;
+    const one = behind(this.xUnit), y = behind(this.unit);
     this.chart = new Chart(this.canvas, { type: "line", data: { datasets }, plugins: [PAPER, { id: "cursor", afterDraw: () => this.draw(this.time) }], options: {
       animation: false, parsing: false, maintainAspectRatio: false, events: ["mousemove", "mouseout", "click", "touchstart", "touchmove"],
       interaction: { mode: "ofEach", intersect: false }, layout: { padding: { top: 6, right: 12 } },

@@ -35,7 +35,7 @@ class Source {
     if (this.flows) this.lines.forEach((line, k) => this.mark(view, of(line[0]), `${this.name} ${quantity(this.flows[k][i], "A turns")}`));
     else {
       const size = Math.hypot(...this.moment), from = of([0, 0, 0]), to = of(this.moment.map(v => Math.sign(this.strength[i]) * v / size));
-      this.mark(view, from, `${this.name} ${quantity(size * this.strength[i], "A m²")}`, to.map((v, d) => v - from[d]));
+      this.mark(view, from, `${this.name} ${quantity(size * this.strength[i], "A m2")}`, to.map((v, d) => v - from[d]));
     }
   }
 

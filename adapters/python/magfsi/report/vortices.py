@@ -10,9 +10,9 @@ from magfsi.report.fields import packed
 
 MOST_INSTANTS = 24
 MOST_TRIANGLES = 2000  # of all levels of an instant
-# A triangle has three numbers of two bytes, and half a point of three; base64 takes four characters for
-# three bytes.
-BYTES_A_TRIANGLE = (6 + 3) * 4 / 3
+# A triangle has three numbers of two bytes, and half a point of three, more where surfaces end; base64 takes four
+# characters for three bytes.
+BYTES_A_TRIANGLE = (6 + 3.8) * 4 / 3
 
 
 def thinned(surfaces):
@@ -20,9 +20,16 @@ def thinned(surfaces):
     count = sum(surface.GetNumberOfCells() for surface in surfaces)
     made = []
     for surface in surfaces:
-        if count > MOST_TRIANGLES:
+        if count > MOST_TRIANGLES and surface.GetNumberOfCells():
+            # Triangles without an area, which contours have at points of the grid, end decimation early.
+            clean = vtk.vtkCleanPolyData()
+            clean.SetInputData(surface)
+            triangles = vtk.vtkTriangleFilter()
+            triangles.SetInputConnection(clean.GetOutputPort())
+            triangles.PassLinesOff()
+            triangles.PassVertsOff()
             fewer = vtk.vtkQuadricDecimation()
-            fewer.SetInputData(surface)
+            fewer.SetInputConnection(triangles.GetOutputPort())
             fewer.SetTargetReduction(1 - MOST_TRIANGLES / count)
             fewer.Update()
             surface = fewer.GetOutput()
@@ -37,7 +44,7 @@ def thinned(surfaces):
 def one_instant(files, levels):
     """Surfaces of each level in turn, all of them in one list of points."""
     surfaces = []
-    for surface in actors.vortex_surfaces(files[0], [value for value, _, _ in levels]):
+    for surface in actors.vortex_surfaces(files, [value for value, _, _ in levels]):
         surface.Update()
         surfaces.append(surface.GetOutput())
     made = thinned(surfaces) or [(np.zeros((0, 3)), np.zeros((0, 3), int))] * len(levels)
@@ -49,10 +56,9 @@ def one_instant(files, levels):
 
 def vortices(folder, most_bytes):
     """None without a flow that turns, and without room for two instants."""
-    stored = [(time, found) for time, files in fields.stored_frames(folder, "fluid.pvd")
-              if (found := [f for f in files if f.suffix in (".vti", ".pvti")])]
+    stored = fields.flow_frames(folder)
     most = min(MOST_INSTANTS, most_bytes / (MOST_TRIANGLES * BYTES_A_TRIANGLE))
-    levels = actors.levels_of([stored[-1][1][0]], None) if stored and most >= 2 else []
+    levels = actors.levels_of(stored[-1][1], None) if stored and most >= 2 else []
     if not levels:
         return None
     values = tuple(value for value, _, _ in levels)
