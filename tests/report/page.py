@@ -203,8 +203,13 @@ class Others(unittest.TestCase):
         whole = fields.bodies(run.folder, 1e9)
         self.assertEqual(len(whole["times"]), stored)
         faces = len(base64.b64decode(whole["faces"])) // 16
-        part = fields.bodies(run.folder, 3 * (7 * whole["nodes"] + faces) * 4 / 3)
+        # Bytes of base64, and the instant and the middle as decimals.
+        room = 3 * ((7 * whole["nodes"] + faces) * 4 / 3 + fields.DECIMALS)
+        part = fields.bodies(run.folder, room)
         self.assertEqual((len(part["times"]), part["times"][-1]), (3, whole["times"][-1]))
+        taken = sum(len(json.dumps(part[name])) for name in ("times", "centres", "points"))
+        taken += sum(len(c["values"]) for c in part["colours"] if c["frames"] > 1)
+        self.assertLess(taken, room + 100)  # quotes and padding
 
     def test_a_peak_of_one_row_is_not_lost(self):
         columns = {"t[s]": [1e-3 * i for i in range(50000)], "a[m]": [0.0] * 50000}
