@@ -90,7 +90,7 @@ class InAir(unittest.TestCase):
         largest = max(map(abs, face[name]))
         off = max(abs(a - b) for a, b in zip(part[name], face[name])) / largest
         testing.report(f"tip of the shaken beam: up to {1e3 * largest:.3f} mm, off by {off:.2g}")
-        self.assertGreater(largest, 0.2e-3)
+        self.assertGreater(largest, 0.1e-3)  # half of what the base moves
         self.assertLess(off, 1e-8)
         # The base's own mass is moved, too: its energy belongs to the audit.
         for probes in (part, face):
