@@ -18,7 +18,7 @@ EVERYBODY = ("mpirun", "magfsi", *SIDES)
 class Pauses(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.settings = {**SETTINGS, "time.end": "12 ms"}
+        cls.settings = {**SETTINGS, "time.end": "20 ms"}
         whole = testing.new_folder()
         assert attack.run(whole, cls.settings).code == 0
         cls.expected = attack.results(whole)
