@@ -82,7 +82,7 @@ void check_scheme(const Scene& scene, const Marks& marks) {
                        "which would rattle",
                        in_quotes(light->name), lightest_ratio(scene, *light)),
            fmt::format("implicit, or densities from {:g} times the fluid's on",
-                       least_serial_contact_ratio),
+                       fitted::least_serial_contact_ratio),
            "write implicit, or remove this key");
 }
 

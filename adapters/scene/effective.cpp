@@ -9,6 +9,7 @@
 
 #include "adapters/scene/field.h"
 #include "adapters/scene/keys.h"
+#include "base/fitted/constants.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/step/clock.h"
 #include "fluid_lbm/units.h"
@@ -337,7 +338,7 @@ double lightest_ratio(const Scene& scene, const Body& body) {
 const Body* light_in_contact(const Scene& scene) {
     if (!scene.fluid || !(scene.contact || scene.platform)) return nullptr;
     const auto light = [&](const Body& body) {
-        return lightest_ratio(scene, body) < least_serial_contact_ratio;
+        return lightest_ratio(scene, body) < fitted::least_serial_contact_ratio;
     };
     const auto found = std::ranges::find_if(scene.bodies, light);
     return found == scene.bodies.end() ? nullptr : &*found;

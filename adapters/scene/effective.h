@@ -70,12 +70,9 @@ std::string fault_of_half_step(const Scene& scene);
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
 
-// Density ratio of body to fluid below which bodies in contact rattle in the serial
-// scheme: the force of the enclosed fluid, late by some steps, drives a body that bounces
-// off. 0.5 is right (tests/stability/map/rigid_contact.yaml).
-constexpr double least_serial_contact_ratio = 0.5;
-// The first body below it in a scene with contact, else null; and the density of the
-// lightest material of a body over that of the fluid.
+// The first body with a density ratio below fitted::least_serial_contact_ratio in a scene
+// with contact, else null; and the density of the lightest material of a body over that
+// of the fluid.
 const Body* light_in_contact(const Scene& scene);
 double lightest_ratio(const Scene& scene, const Body& body);
 
