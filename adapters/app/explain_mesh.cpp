@@ -30,7 +30,7 @@ std::string in_percent(double error) {
     return fmt::format("{:+.2g} %", 100 * error);
 }
 
-// How a rigid part is held.
+// The words say how a rigid part is held.
 std::string words_of(const structure::Hinge&) {
     return ", on a hinge";
 }

@@ -32,7 +32,7 @@ function typeset(unit) {
   if (over) return over[1] + raised(`-${over[2] || 1}`);
   return unit.replace(/\bdeg\b/g, "°").replace(/([A-Za-z])\^?(-?\d+)/g, (_, letter, power) => letter + raised(power));
 }
-// What stands behind a number.
+// The unit as it stands behind a number.
 const behind = shown => shown === "" || shown === "°" ? shown : ` ${shown}`;
 
 // [factor, unit as it is shown] in which the largest is between 1 and 1000.
