@@ -119,16 +119,16 @@ struct Most {
     char likely = 'm';  // the prefix that was meant most often
 };
 constexpr Most beyond[] = {
-    {"m", 1e3},     // the largest tank there is
-    {"s", 5e5},     // six days
-    {"T", 50},      // more than any magnet that stands (45 T, Tallahassee)
-    {"T/m", 1e5},   // 1 T over ten micrometres
-    {"A/m", 1e7},   // five times that of iron
-    {"A", 1e5},     // turns of a large magnet included
-    {"A m2", 1e5},  // a ton of magnets
-    {"m/s2", 1e6},  // a fast centrifuge
-    {"1/s", 1e9},   // rates of strain beyond any fluid's
-    {"m2/s", 1e3},  // a thousand million times water
+    {"m", 1e3},         // the largest tank there is
+    {"s", 5e5},         // six days
+    {"T", 50},          // more than any magnet that stands (45 T, Tallahassee)
+    {"T/m", 1e5},       // 1 T over ten micrometres
+    {"A/m", 1e7, 'k'},  // five times that of iron
+    {"A", 1e5},         // turns of a large magnet included
+    {"A m2", 1e5},      // a ton of magnets
+    {"m/s2", 1e6},      // a fast centrifuge
+    {"1/s", 1e9},       // rates of strain beyond any fluid's
+    {"m2/s", 1e3},      // a thousand million times water
     {"Pa", 1e13, 'k'}, {"kg/m3", 1e5, 'k'}, {"m/s", 1e4}, {"kg", 1e6}, {"N", 1e6},
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "fluid_lbm/refuse.h"
 
@@ -294,6 +295,11 @@ void check_counts(const FluidConfig& config, const std::vector<long long>& cells
                "the spacing, now ",
                config.spacing_m, " m, finer, or leave out what is there twice");
     }
+    const auto& [nx, ny, nz] = config.cells;
+    if (std::reduce(cells.begin(), cells.end()) == 1LL * nx * ny * nz)
+        refuse(
+            "fluid obstacles fill the whole box and leave no cell of fluid; make them "
+            "smaller or the box larger");
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ class Obstacles {
 };
 
 // Throws std::invalid_argument on all ranks if an obstacle holds the centre of no cell
-// that is not an earlier obstacle's. Collective.
+// that is not an earlier obstacle's, or if all fill the box. Collective.
 void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map);
 // The same check before a run, for the whole box on one process. Also throws if the shape
 // of an obstacle is not possible (make_solids), or if an inlet is behind obstacles.

@@ -15,8 +15,17 @@ Eigen::Vector3d along(const Eigen::Vector3d& n, const Eigen::Vector3d& v) {
     return n.dot(v) * n;
 }
 
-// Refuses weight that no support carries. A smooth platform carries what presses on it
-// but nothing along it.
+// A field gradient, unlike a uniform field, has a net force on a body.
+void refuse_to_be_carried(const Body& body, const HeldAxes& held) {
+    if (held == HeldAxes{true, true, true}) return;
+    refuse(
+        "body {} is in a field gradient, which carries it away, and no clamp or roller "
+        "holds it along every axis: clamp a face, or give it rollers along each axis",
+        body.name);
+}
+
+}  // namespace
+
 void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_m_s2,
                     const Eigen::Vector3d& platform_normal) {
     const bool massive = std::ranges::any_of(
@@ -36,17 +45,6 @@ void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_
             body.name, "xyz"[d]);
     }
 }
-
-// A field gradient, unlike a uniform field, has a net force on a body.
-void refuse_to_be_carried(const Body& body, const HeldAxes& held) {
-    if (held == HeldAxes{true, true, true}) return;
-    refuse(
-        "body {} is in a field gradient, which carries it away, and no clamp or roller "
-        "holds it along every axis: clamp a face, or give it rollers along each axis",
-        body.name);
-}
-
-}  // namespace
 
 void require_held(const Body& body, const Vec3& gravity_m_s2,
                   const Surroundings& surroundings) {

@@ -49,6 +49,12 @@ inline Eigen::Vector3d normal_of(const std::optional<Platform>& platform) {
     return Eigen::Map<const Eigen::Vector3d>(platform->normal.data()).normalized();
 }
 
+// Throws std::invalid_argument if no support carries the weight of the body, which is
+// held along the axes `held`. A smooth platform carries what presses on it but nothing
+// along it.
+void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_m_s2,
+                    const Eigen::Vector3d& platform_normal);
+
 // Throws std::invalid_argument if the body cannot have an equilibrium: it consists of
 // separate parts, one of which is not held along all axes; it has weight along an axis on
 // which no clamp, roller or platform holds it, so that it would fall; or it is free along

@@ -132,6 +132,9 @@ TEST(ObstacleCells, MustExist) {
     config.obstacles = {{"grain", Sphere{{5, 5, 5}, 0.5}}};
     expect_refused([&] { Fluid(MPI_COMM_WORLD, config); },
                    "\"grain\" holds the centre of no cell");
+    config.obstacles = {{"half", Block{{0, 0, 0}, {6, 9, 8}}},
+                        {"rest", Block{{6, 0, 0}, {12, 9, 8}}}};
+    expect_refused([&] { Fluid(MPI_COMM_WORLD, config); }, "leave no cell of fluid");
 }
 
 TEST(ObstacleCells, AreNotBesideMoreCellsThanALinkCanName) {
