@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"5 MT", "T", "did you mean \"5 mT\"?"},
         Wrong{"60 T", "T", "did you mean \"60 mT\"?"},
         Wrong{"-5 MT", "T", "did you mean \"-5 mT\"?"},
-        Wrong{"62 GA/m", "A/m", "did you mean \"62 mA/m\"?"},
+        Wrong{"62 GA/m", "A/m", "did you mean \"62 kA/m\"?"},
         Wrong{"9.81 Mm/s2", "m/s2", "did you mean \"9.81 mm/s2\"?"},
         Wrong{"5 GHz", "1/s", "at most"}, Wrong{"1 MT/m", "T/m", "\"1 mT/m\""},
         Wrong{"1 MA", "A", "\"1 mA\""}, Wrong{"1 MA m2", "A m2", "\"1 mA m2\""},
