@@ -18,6 +18,7 @@
 #include "structure/lammps/effects/rigid_parts/part_words.h"
 #include "structure/lammps/rigid_states.h"
 #include "structure/rigid_motion.h"
+#include "update.h"
 
 namespace magfsi::structure {
 
