@@ -68,15 +68,16 @@ def main():
                        ("by slender-body theory from the motion", by_motion)):
         print(f"mean flow {name}: {1e9 * flow.mean():.4f} ul/s")
     print(f"of a straight rod on the field's cone, by resistances: {1e9 * beat.straight_rod(frequency):.4f} ul/s")
-    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, (side, front, pumped) = plt.subplots(1, 3, figsize=(10.2, 3.1), constrained_layout=True,
-                                                 width_ratios=(0.95, 1.15, 1.3))
+    plt.rcParams.update({"font.size": plotting.LETTERS_PT, "font.family": "DejaVu Sans"})
+    figure, places = plt.subplot_mosaic([["side", "front"], ["pumped", "pumped"]], constrained_layout=True,
+                                        figsize=(plotting.WIDTH_IN, 6), width_ratios=(1, 1.2))
+    side, front, pumped = (places[name] for name in ("side", "front", "pumped"))
     draw_shapes(side, 1, last, "y")
     draw_shapes(front, 0, last, "x")
     draw_pumped(pumped, last, by_motion)
     pumped.set(xlabel="time in the beat [s]", ylabel="pumped through the cell [nl]")
     plotting.clean(pumped)
-    figure.savefig(chosen.out, dpi=150)
+    figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
     if chosen.reference:
         rows = zip(last.time[::2], last.flow[::2], by_forces[::2], by_motion)

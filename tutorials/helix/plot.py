@@ -50,14 +50,14 @@ def draw_lags(axes, runs, step_out):
     shades = plt.colormaps[SLOW_TO_FAST](np.linspace(0.05, 0.8, len(runs)))
     for number, ((frequency, time, lag, _), shade) in enumerate(zip(runs, shades)):
         shown = np.degrees(lag) <= MOST_DEG
-        above = -4 if number == 0 else 4  # the first two end close to each other
+        above = -3 if number == 0 else 6  # the first two end close to each other
         axes.plot(time[shown], np.degrees(lag)[shown], lw=1.4, color=shade)
         axes.annotate(f"{frequency:g} Hz", (time[shown][-1], np.degrees(lag)[shown][-1]), xytext=(4, above),
                       textcoords="offset points", color=shade, va="center")
         if frequency < step_out:
             axes.axhline(math.degrees(math.asin(frequency / step_out)), color="0.6", lw=0.8, ls="--", zorder=0)
-    axes.set(xlabel="time [s]", ylabel="behind the field [degrees]", ylim=(0, MOST_DEG))
-    axes.margins(x=0.14)  # for the frequencies beside the curves
+    axes.set(xlabel="time [s]", ylabel="behind the field [degrees]", ylim=(-40, MOST_DEG))
+    axes.set_xlim(0, 1.12 * axes.dataLim.x1)  # room for the frequencies beside the curves
     plotting.clean(axes)
 
 
@@ -76,8 +76,10 @@ def main():
     if chosen.reference:
         lines = [f"{f:g},{rate:.5g},{speed:.5g}" for f, (rate, speed) in sorted(rows.items())]
         chosen.reference.write_text("# Means of the runs of README.md.\n" + "\n".join([",".join(COLUMNS), *lines, ""]))
-    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
-    figure, (lags, rates, speeds) = plt.subplots(1, 3, figsize=(10.2, 3.1), constrained_layout=True)
+    plt.rcParams.update({"font.size": plotting.LETTERS_PT, "font.family": "DejaVu Sans"})
+    figure, places = plt.subplot_mosaic([["lags", "lags"], ["rates", "speeds"]], constrained_layout=True,
+                                        figsize=(plotting.WIDTH_IN, 6), height_ratios=(1, 1.1))
+    lags, rates, speeds = (places[name] for name in ("lags", "rates", "speeds"))
     speed, torque = surface.limit()
     moment = MAGNETIZATION * SHAPE[3]**2 * SHAPE[2] * theory.wire(*SHAPE[:2])[0] * 1e-9
     step_out = moment * FIELD / (VISCOSITY * 1e-9 * torque) / (2 * math.pi)
@@ -95,9 +97,9 @@ def main():
     for axes, label in ((rates, "turns of the helix [Hz]"), (speeds, "swims at [mm/s]")):
         axes.axvline(step_out, color="0.8", lw=0.8, zorder=0)
         axes.set(xlabel="turns of the field [Hz]", ylabel=label, xlim=(0, 3.2), ylim=(0, None))
-        axes.legend(frameon=False, fontsize=7.5, loc="lower left", bbox_to_anchor=(-0.02, 1.0), borderaxespad=0)
+        axes.legend(frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), borderaxespad=0)
         plotting.clean(axes)
-    figure.savefig(chosen.out, dpi=150)
+    figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
 
 

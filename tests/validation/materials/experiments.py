@@ -197,7 +197,7 @@ def draw(file):
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot as plt
-    figure, axes = plt.subplots(2, 3, figsize=(11, 6.4), layout="constrained")
+    figure, axes = plt.subplots(3, 2, figsize=(7.2, 8.6), layout="constrained")
     points = {"ls": "", "marker": "o", "ms": 3.5, "color": "0.45", "label": "measured"}
     for name, turned, axis in (("zhao_beam.csv", False, axes[0, 0]), ("zhao_beam_reversal.csv", True, axes[0, 0])):
         axis.plot(*measured(name), **points if not turned else {**points, "marker": "s", "label": None})
@@ -206,21 +206,21 @@ def draw(file):
     for axis, name, course, title in (
             (axes[0, 1], "tan_arch_step_7mT.csv", step("7 mT"), "arch, steps of 5 and 7 mT"),
             (axes[0, 1], "tan_arch_step_5mT.csv", step("5 mT"), "arch, steps of 5 and 7 mT"),
-            (axes[0, 2], "tan_arch_ramp.csv", ramp(), "arch, ramp of 6.5 mT/s"),
-            (axes[1, 0], "tan_arch_triangle.csv", triangle(), "arch, triangle wave")):
+            (axes[1, 0], "tan_arch_ramp.csv", ramp(), "arch, ramp of 6.5 mT/s"),
+            (axes[1, 1], "tan_arch_triangle.csv", triangle(), "arch, triangle wave")):
         axis.plot(*measured(name), **points)
         axis.plot(*course)
         axis.set(xlabel="time [s]", ylabel="middle [mm]", title=title, xlim=(0, course[0][-1]))
-    axes[1, 1].plot(*pushed(), **points)
+    axes[2, 0].plot(*pushed(), **points)
     t, w = let_go()
-    axes[1, 1].plot(t, w)
-    axes[1, 1].set(xlabel="time [s]", ylabel="middle [mm]", title="arch let go", xlim=(0, 0.4))
+    axes[2, 0].plot(t, w)
+    axes[2, 0].set(xlabel="time [s]", ylabel="middle [mm]", title="arch let go", xlim=(0, 0.4))
     for curve, branches in vhb_curves():
-        axes[1, 2].plot(curve.strain, curve.stress_pa / 1e3, **points)
-        axes[1, 2].plot(curve.strain, curve.computed(VHB, branches) / 1e3)
-    axes[1, 2].set(xlabel="stretch", ylabel="nominal stress [kPa]", title="VHB 4910", xlim=(1, 2.6), ylim=(0, 60))
+        axes[2, 1].plot(curve.strain, curve.stress_pa / 1e3, **points)
+        axes[2, 1].plot(curve.strain, curve.computed(VHB, branches) / 1e3)
+    axes[2, 1].set(xlabel="stretch", ylabel="nominal stress [kPa]", title="VHB 4910", xlim=(1, 2.6), ylim=(0, 60))
     axes[0, 0].legend(frameon=False, fontsize=8)
-    figure.savefig(file, dpi=110)
+    figure.savefig(file, dpi=200)
 
 
 if __name__ == "__main__":

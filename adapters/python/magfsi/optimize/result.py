@@ -176,7 +176,7 @@ def _draw_shapes(axes, folder, number):
     axes.set_title(f"the best, run {number}", fontsize=9)
 
 
-COLUMNS, PANEL_IN = 4, (2.7, 2.35)
+COLUMNS, PANEL_IN = 3, (2.2, 2.4)
 BEST = {"marker": "*", "ms": 12, "color": "#d55e00", "mec": "w", "mew": 0.6, "ls": ""}
 
 
