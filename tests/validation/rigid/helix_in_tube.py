@@ -14,62 +14,33 @@ from magfsi import surfaces, testing
 
 HERE = Path(__file__).resolve().parent
 SCENE = HERE / "helix_in_tube.yaml"
-sys.path.insert(0, str(HERE.parent / "sphere"))
-import ball_mesh  # noqa: E402
+sys.path.insert(0, str(HERE))
+import swimmer_mesh  # noqa: E402
 
-CUBE = 0.05e-3
 HEAD, HEAD_LENGTH, ROUNDED = 0.4e-3, 1.5e-3, 0.1e-3
 COIL, PITCH, WIRE = 0.29e-3, 1e-3, 0.1e-3
+ELEMENT = 0.05e-3
 
 
-def in_head(x, y, z):
-    """A cylinder with rounded edges."""
-    r, along = math.hypot(y, z), abs(x - HEAD_LENGTH / 2)
-    over_r, over_x = r - (HEAD - ROUNDED), along - (HEAD_LENGTH / 2 - ROUNDED)
-    if over_r > 0 and over_x > 0:
-        return math.hypot(over_r, over_x) <= ROUNDED
-    return over_r <= ROUNDED and over_x <= ROUNDED
-
-
-class Cubes:
-    """Cubes whose middle is in the head or in the left-handed tail, as ball_mesh writes them."""
-
-    def __init__(self, turns):
-        begin = HEAD_LENGTH - 0.1e-3
-        self.nodes, self.elements, number = [], [], {}
-        half = math.ceil(HEAD / CUBE)
-        for i in range(math.ceil((begin + turns * PITCH + WIRE) / CUBE)):
-            x = (i + 0.5) * CUBE
-            # The points of the wire's middle line that can be this near.
-            share = [(x - begin) / PITCH + k / 200 * WIRE / PITCH * 2 for k in range(-100, 101)]
-            line = [(begin + s * PITCH, COIL * math.cos(2 * math.pi * s), -COIL * math.sin(2 * math.pi * s))
-                    for s in share if 0 <= s <= turns]
-            for j in range(-half, half):
-                for k in range(-half, half):
-                    at = (x, (j + 0.5) * CUBE, (k + 0.5) * CUBE)
-                    if in_head(*at) or any(math.dist(at, p) <= WIRE for p in line):
-                        self.elements.append([self.node(number, i + a, j + b, k + c) for c in (0, 1)
-                                              for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))])
-
-    def node(self, number, *at):
-        if at not in number:
-            self.nodes.append([CUBE * c for c in at])
-            number[at] = len(self.nodes)
-        return number[at]
+def swimmer(turns):
+    mesh = swimmer_mesh.new()
+    swimmer_mesh.head(mesh, HEAD, HEAD_LENGTH, ROUNDED, ELEMENT)
+    swimmer_mesh.tail(mesh, COIL, PITCH, WIRE, turns, HEAD_LENGTH - 0.1e-3, ELEMENT)
+    return swimmer_mesh.in_metres(mesh)
 
 
 class Puller(unittest.TestCase):
     def advance(self, tube_mm, turns, expected_mm, more=None):
         folder = Path(testing.new_folder())
         (folder / "scene.yaml").write_text(SCENE.read_text())
-        ball_mesh.write(folder / "swimmer.msh", Cubes(turns))
-        side = tube_mm + 0.2
+        swimmer_mesh.ball_mesh.write(folder / "swimmer.msh", swimmer(turns))
+        side, length = tube_mm + 0.2, max(10, turns + 6)
         surfaces.write_stl(folder / "tube.stl",
-                           surfaces.block_with_hole(tube_mm / 2, side / 2 + 0.1, (-1, 11), 64))
+                           surfaces.block_with_hole(tube_mm / 2, side / 2 + 0.1, (-1, length + 1), 64))
         probes = testing.good_run(folder / "scene.yaml", {
-            "fluid.box": f"[10 mm, {side} mm, {side} mm]",
+            "fluid.box": f"[{length} mm, {side} mm, {side} mm]",
             "fluid.obstacles.tube.stl.shift": f"[0 mm, {side / 2} mm, {side / 2} mm]",
-            "bodies.swimmer.initial.position": f"[{(8.5 - turns) / 2} mm, {side / 2} mm, {side / 2} mm]",
+            "bodies.swimmer.initial.position": f"[{(length - 1.5 - turns) / 2} mm, {side / 2} mm, {side / 2} mm]",
             **(more or {})}, ranks="structure=1,fluid=2", limit_s=1800).probes()
         times, x = probes["t[s]"], probes["swimmer.rigid_x[m]"]
         rate = 15.0
@@ -90,6 +61,15 @@ class Puller(unittest.TestCase):
 
     def test_with_two_turns(self):
         self.advance(1.6, 2, 0.0733)
+
+    def test_with_eight_turns(self):
+        self.advance(1.6, 8, 0.1653)
+
+    def test_in_a_wider_tube(self):
+        self.advance(3, 4, 0.1288)
+
+    def test_in_a_wide_tube(self):
+        self.advance(5, 4, 0.129)
 
 
 if __name__ == "__main__":
