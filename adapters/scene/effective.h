@@ -70,11 +70,11 @@ std::string fault_of_half_step(const Scene& scene);
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
 
-// The first body with a density ratio below fitted::least_serial_contact_ratio in a scene
-// with contact, else null; and the density of the lightest material of a body over that
-// of the fluid.
-const Body* light_in_contact(const Scene& scene);
+// The density of the lightest material of a body over that of the fluid.
 double lightest_ratio(const Scene& scene, const Body& body);
+// The first body in a scene with contact whose lightest_ratio is below
+// fitted::least_serial_contact_ratio, else null.
+const Body* light_in_contact(const Scene& scene);
 
 // True if the scene has the effect. Throws std::logic_error unless `name` is one of the
 // names above.
