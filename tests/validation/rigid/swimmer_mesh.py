@@ -17,20 +17,15 @@ def disc(across, rim):
     """Cells of a disc of radius 1: a square of `across` x `across` in the middle, `rim` layers around it."""
     t = [math.tan(math.pi / 4 * (2 * i / across - 1)) for i in range(across + 1)]
 
-    def inner(x):  # the square, inflated towards a disc where it meets the layers
-        out = max(map(abs, x))
-        scale = 0.6 * out / math.hypot(*x) if out else 0
-        return [(1 - 0.5 * out) * 0.45 * c + 0.5 * out * scale * c for c in x]
-
     def layer(axis, side, i, k):
         x = [side, t[i]] if axis == 0 else [t[i], side]
-        return [(1 - k / rim) * a + k / rim * b / math.hypot(*x) for a, b in zip(inner(x), x)]
+        return [(1 - k / rim) * a + k / rim * b / math.hypot(*x) for a, b in zip(ball_mesh.inflated(x), x)]
 
     def cells(at, n):
         return [[at(i + a, j + b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
                 for i, j in itertools.product(range(n[0]), range(n[1]))]
 
-    quads = cells(lambda i, j: inner([t[i], t[j]]), (across, across))
+    quads = cells(lambda i, j: ball_mesh.inflated([t[i], t[j]]), (across, across))
     for axis, side in itertools.product((0, 1), (-1, 1)):
         quads += cells(lambda i, k: layer(axis, side, i, k), (across, rim))
     return quads

@@ -52,31 +52,34 @@ class _Mesh:
         return total
 
 
+def inflated(x):
+    """Of a square or cube with corners at 1, whose middle stays: grown round towards its sides, which
+    meet the layers around it."""
+    out = max(abs(c) for c in x)
+    if out == 0:
+        return x
+    round_ = [0.6 * out * c for c in _unit(x)]
+    return [(1 - 0.5 * out) * 0.45 * a + 0.5 * out * b for a, b in zip(x, round_)]
+
+
 def ball(parts, layers, diameter):
     """parts: elements along an edge of the cube; layers: of each shell. Of the volume of
     the ball, though its surface is made of flat pieces."""
-    mesh, half = _Mesh(), 0.45
+    mesh = _Mesh()
     t = [math.tan(math.pi / 4 * (2 * i / parts - 1)) for i in range(parts + 1)]
-
-    def inner(x):  # the cube, inflated towards a ball where it meets the shells
-        out = max(abs(c) for c in x)
-        if out == 0:
-            return x
-        round_ = [0.6 * out * c for c in _unit(x)]
-        return [(1 - 0.5 * out) * half * a + 0.5 * out * b for a, b in zip(x, round_)]
 
     def block(at, n):
         for i, j, k in itertools.product(range(n[0]), range(n[1]), range(n[2])):
             mesh.add([at(i + a, j + b, k + c) for c in (0, 1)
                       for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))])
 
-    block(lambda i, j, k: inner([t[i], t[j], t[k]]), (parts,) * 3)
+    block(lambda i, j, k: inflated([t[i], t[j], t[k]]), (parts,) * 3)
     for axis, side in itertools.product(range(3), (-1, 1)):
         def shell(i, j, k, axis=axis, side=side):
             x = [0.0] * 3
             x[axis], x[(axis + 1) % 3], x[(axis + 2) % 3] = side, t[i], t[j]
             s = k / layers
-            return [(1 - s) * a + s * b for a, b in zip(inner(x), _unit(x))]
+            return [(1 - s) * a + s * b for a, b in zip(inflated(x), _unit(x))]
         block(shell, (parts, parts, layers))
     scale = (math.pi / 6 * diameter**3 / mesh.volume()) ** (1 / 3)
     mesh.nodes = [[scale * c for c in x] for x in mesh.nodes]
