@@ -9,10 +9,11 @@ from magfsi import plotting, testing
 from vtk.util.numpy_support import vtk_to_numpy
 
 SCENE = testing.ROOT / "docs/examples/scenes/rigid.yaml"
-# Bodies in the order of the files, by name, with the columns of their rigid part and how many of their elements are
-# rigid.
-PARTS = {"arm": ("arm.magnet", 8), "ball": ("ball", None), "capsule": ("capsule", None), "needle": ("needle", None),
-         "nose": (None, 0), "screw": ("screw", None), "top": ("top", None)}
+# Bodies in the order of the files, which is that of their names, with the columns of their rigid part and how many of
+# their elements are rigid.
+PARTS = {"anvil": ("anvil", None), "arm": ("arm.magnet", 8), "ball": ("ball", None), "capsule": ("capsule", None),
+         "needle": ("needle", None), "nose": (None, 0), "puller": ("puller", None), "rocker": ("rocker", None),
+         "screw": ("screw", None), "top": ("top", None)}
 NAMES = {"orientation[1]": ("q_w[1]", "q_x[1]", "q_y[1]", "q_z[1]"),
          "angles[rad]": ("roll[rad]", "pitch[rad]", "yaw[rad]")}
 
@@ -42,6 +43,7 @@ class InFiles(unittest.TestCase):
 
     def test_orientations_are_those_of_the_probes(self):
         self.assertEqual(len(self.grids), 3)
+        self.assertEqual(set(self.cells(0, "body")), set(range(len(PARTS))), "a body of the scene that PARTS lacks")
         for frame in range(3):
             for number, (part, count) in enumerate(PARTS.values()):
                 rigid, soft, mine = self.rigid(frame, number)
