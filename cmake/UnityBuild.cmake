@@ -5,7 +5,7 @@
 # magfsi_compiled_alone(TARGET ...): these of a target's sources stay object files of their own: effects
 # and outputs with what is theirs alone, so that a program can be linked without them
 # (tests/effects/removed.py), and what a program in docs/examples replaces by its own.
-set(magfsi_alone "(^|/)(effects|outputs)/" mesh/proximity bodies/solids_around
+set(magfsi_alone "(^|/)(effects|outputs)/" mesh/proximity bodies/overlaps bodies/solids_around
   bodies/structure_files checkpoint/checkpoints lammps/effects)
 list(JOIN magfsi_alone "|" magfsi_alone)
 

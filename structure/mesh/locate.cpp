@@ -98,6 +98,9 @@ PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
         refuse("a mesh without elements found, which holds no point; one is needed");
     }
     surface_ = boundary_quads(mesh);
+    for (const SurfaceQuad& quad : surface_) {
+        surface_boxes_.push_back(bounds(mesh.nodes, quad.node));
+    }
     Bounds all;
     for (const Hexahedron& element : mesh.elements) {
         for (const int node : element) all.add(mesh.nodes[node]);
@@ -178,12 +181,18 @@ std::optional<MaterialPoint> PointLocator::find(const Vec3& point_m,
 }
 
 MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
+    // Corners give a first bound, with room for the rounding of a foot that is a corner.
     double least = INFINITY;
-    MaterialPoint best;
     for (const SurfaceQuad& quad : surface_) {
+        least = std::min(least, distance_m(mesh_.nodes[quad.node[0]], point_m));
+    }
+    least += 1e-9 * (least + longest_diagonal_m_);
+    MaterialPoint best;
+    for (std::size_t q = 0; q < surface_.size(); ++q) {
         // Quads at the same distance are not skipped: on a border the last element wins,
         // as in find().
-        if (bounds(mesh_.nodes, quad.node).distance_m(point_m) > least) continue;
+        if (surface_boxes_[q].distance_m(point_m) > least) continue;
+        const SurfaceQuad& quad = surface_[q];
         const Corners4 x = corners(mesh_.nodes, quad.node);
         const auto [u, v] = nearest_on_quad(x, point_m);
         const auto shape = quad_shape(u, v);

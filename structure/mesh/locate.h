@@ -20,8 +20,8 @@ std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m);
 // Search structure for one mesh, undeformed or with moved nodes. It keeps a reference to
 // the mesh, which must outlive it and must not change.
 class PointLocator {
-    // Throws std::invalid_argument on a mesh without elements.
   public:
+    // Throws std::invalid_argument on a mesh without elements.
     explicit PointLocator(const Mesh& mesh);
 
     // The element that contains the point, its border included, and the weights of the
@@ -46,6 +46,7 @@ class PointLocator {
 
     const Mesh& mesh_;
     std::vector<SurfaceQuad> surface_;
+    std::vector<Bounds> surface_boxes_;  // one for each quad of surface_
     Vec3 low_m_{};
     Vec3 bin_size_m_{};
     double longest_diagonal_m_ = 0;  // largest of all elements' bounding boxes
