@@ -89,10 +89,4 @@ void Checkpoints::finish() {
         prune_checkpoints(session_.out(), session_.plan().roles);
 }
 
-StateReader open_restart(const Session& session) {
-    return StateReader(checkpoint_file(session.restart()->folder,
-                                       session.restart()->header.step,
-                                       session.world().self()));
-}
-
 }  // namespace magfsi::coupler

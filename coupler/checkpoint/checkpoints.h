@@ -72,8 +72,4 @@ class Checkpoints : public Output {
     StopAgreement stop_;
 };
 
-// Opens this participant's file of the checkpoint that the session continues;
-// session.restart() must not be null. Throws StateFault.
-StateReader open_restart(const Session& session);
-
 }  // namespace magfsi::coupler

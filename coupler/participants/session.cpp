@@ -95,6 +95,11 @@ void Session::find_restart(double step_s) {
     state_.time_s = clock_->time_s();
 }
 
+StateReader Session::open_restart() const {
+    return StateReader(
+        checkpoint_file(restart_->folder, restart_->header.step, world_.self()));
+}
+
 void Session::claim_run_folder() {
     std::error_code none;  // then false if one of the folders does not exist
     const bool goes_on =

@@ -50,6 +50,9 @@ class Session {
 
     // The checkpoint that this run continues; null for a run that starts at time 0.
     const RestartPoint* restart() const { return restart_ ? &*restart_ : nullptr; }
+    // Opens this participant's file of that checkpoint; restart() must not be null.
+    // Throws StateFault.
+    StateReader open_restart() const;
 
     // Ends the run after the present step, with all its files complete; the summary names
     // the cause. Must be called on all ranks of both sides at the same step.

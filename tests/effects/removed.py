@@ -5,8 +5,7 @@ steps as in a program that was built without the effect's files and its line in 
     ./magfsi python tests/effects/removed.py            of all effects
     ./magfsi python tests/effects/removed.py drag       of this one
     ./magfsi python tests/effects/removed.py Removed.test_is_the_same_as_absent    this test alone
-
-CTest runs a slice of it."""
+"""
 
 import functools
 import re
@@ -100,7 +99,7 @@ EFFECTS = {
                       coupled=[STRUCTURE]),
     "probes": [*output("probes", alone=[FLUID]),
                *output("probes", absent={"probes": "null"}, alone=[STRUCTURE], coupled=BOTH)],
-    "control": output("control", absent={"control": "null"}, alone=[STRUCTURE]),
+    "control": output("control", alone=[STRUCTURE]),
     "structure_fields": output("structure_fields", "adapters/solvers/bodies/structure_files.*",
                                alone=[STRUCTURE], coupled=[STRUCTURE]),
     "fluid_fields": output("fluid_fields", alone=[FLUID], coupled=[FLUID]),

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "coupler/checkpoint/checkpoints.h"
 #include "coupler/checkpoint/rank_rows.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/step/report.h"
 #include "coupler/step/trace.h"
 
@@ -41,7 +41,7 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
         coupling_ = coupler::make_fluid_coupling(session, fluid_);
         run_.balance = coupling_->balance();
     }
-    if (session.restart()) restore(coupler::open_restart(session_));
+    if (session.restart()) restore(session_.open_restart());
     assemble();
 }
 

@@ -15,7 +15,7 @@
 #include "adapters/solvers/lammps/run_script.h"
 #include "adapters/solvers/lammps/scene_to_input.h"
 #include "adapters/solvers/lammps/structure_run.h"
-#include "coupler/checkpoint/checkpoints.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/output/file.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/handshake.h"
@@ -89,7 +89,7 @@ Participant::Participant(const scene::Scene& scene, const bodies::Solids& solids
     run_.counted.fewest = at_start_.count;
     if (session_.restart()) take_substeps_of_restart();
     start_lammps(solids);
-    if (session_.restart()) restore_bodies(run_, coupler::open_restart(session_));
+    if (session_.restart()) restore_bodies(run_, session_.open_restart());
     assemble();
     assemble_output(arguments.progress);
 }
@@ -97,7 +97,7 @@ Participant::Participant(const scene::Scene& scene, const bodies::Solids& solids
 // Continues with the number of substeps of the checkpoint: the deformation may have
 // raised it since the start.
 void Participant::take_substeps_of_restart() {
-    const auto& file = coupler::open_restart(session_);
+    const auto& file = session_.open_restart();
     if (!file.has("substeps")) return;
     const auto kept = file.table("substeps");
     Substeps& substeps = run_.substeps;
@@ -256,7 +256,7 @@ void Participant::run() {
     coupler::log_effects(session_);
     coupler::log_steps(session_, tasks_);
     if (session_.restart() && run_.coupling)
-        restore_coupling(run_, coupler::open_restart(session_));
+        restore_coupling(run_, session_.open_restart());
     if (run_.coupling) run_.coupling->begin();
     if (rest_ && !session_.restart()) come_to_rest(0);
     outputs_.begin();

@@ -10,7 +10,7 @@
 #include "adapters/scene/reader.h"
 #include "adapters/solvers/bodies/probe_row.h"
 #include "adapters/solvers/lammps/structure_run.h"
-#include "coupler/checkpoint/checkpoints.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/participants/controller.h"
 
 namespace magfsi::lammps {
@@ -63,7 +63,7 @@ Control::Control(StructureRun& run)
         columns_.push_back(bodies::column_of(run.probes->columns(), control, i));
     std::optional<std::vector<double>> state;
     if (run.session.restart()) {
-        const auto file = coupler::open_restart(run.session);
+        const auto file = run.session.open_restart();
         field_ = text_in(file, "field");
         state = file.table("controller");
     }
