@@ -61,7 +61,7 @@ set(exported
   magfsi_options:options magfsi_isa:isa magfsi_surface:surface magfsi_fluid:lbm magfsi_tables:tables
   magfsi_structure:structure
   magfsi_structure_lammps:lammps magfsi_coupler:coupler_core magfsi_scene:scene
-  magfsi_run_scene:run_scene magfsi_fluid_participant:fluid_participant
+  magfsi_run_scene:run_scene
   magfsi_structure_program:coupler)
 foreach(pair ${exported})
   string(REPLACE ":" ";" pair ${pair})

@@ -152,6 +152,6 @@ def source_of(words):
 
 
 def check_gone(removal, own, made_of):
-    left = {path for files in made_of.values() for path in files} & own
+    left = [f"{', '.join(sorted(files & own))} in {made}" for made, files in made_of.items() if files & own]
     if left:
-        raise AssertionError(f"{removal.name} is still there: {', '.join(sorted(left))}")
+        raise AssertionError(f"{removal.name} is still there: {'; '.join(left)}")
