@@ -89,6 +89,7 @@ coupler::RunPlan run_plan(const scene::Scene& scene, bool goes_on) {
         plan.roles.push_back(coupler::Role::fluid);
         plan.steps_at_a_time = scene.fluid->coupled_steps_in_one();
         plan.fluid_density_kg_m3 = scene.fluid->density_kg_m3;
+        plan.fluid_is_incompressible = scene.fluid->solver != scene::FluidSolver::lbm;
         plan.fluid_body_force_n_m3 = scene.fluid->body_force_n_m3.value_or(scene::Vec3{});
         plan.given_speed_m_s = given_speed(*scene.fluid);
     }

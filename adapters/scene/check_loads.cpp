@@ -75,8 +75,14 @@ void check_no_slip(const Scene& scene, const Marks& marks) {
 
 // The default avoids this (usual_scheme).
 void check_scheme(const Scene& scene, const Marks& marks) {
+    if (scene.coupling->scheme != Scheme::serial) return;
+    require(
+        !holds_openfoam(scene), marks.value({"coupling", "scheme"}),
+        "serial with forcing: no_slip in OpenFOAM, where the pressure answers a force "
+        "within the step",
+        "implicit there", "write implicit, or remove this key");
     const Body* light = light_in_contact(scene);
-    if (!light || scene.coupling->scheme != Scheme::serial) return;
+    if (!light) return;
     refuse(marks.value({"coupling", "scheme"}),
            fmt::format("serial with contact of {}, of {:.3g} times the fluid's density, "
                        "which would rattle",
@@ -245,11 +251,6 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
                       "not known");
     if (boundary.strength > 1)
         return beside("strength", "at most 1, which removes a uniform slip in one step");
-    if (scene.fluid && scene.fluid->solver != FluidSolver::lbm)
-        return {{"forcing",
-                 fmt::format("forcing: no_slip with fluid.solver: {}",
-                             name_of(scene.fluid->solver)),
-                 "penalty there", "take forcing: penalty, or fluid.solver: lbm"}};
     return {};
 }
 

@@ -344,6 +344,12 @@ const Body* light_in_contact(const Scene& scene) {
     return found == scene.bodies.end() ? nullptr : &*found;
 }
 
+bool holds_openfoam(const Scene& scene) {
+    return scene.coupling && scene.fluid &&
+           scene.fluid->solver == FluidSolver::openfoam &&
+           scene.coupling->immersed_boundary.forcing == coupler::Forcing::no_slip;
+}
+
 std::vector<std::string> idle_effects(const Scene& scene) {
     Lines lines;
     if (scene.magnetic_field) check_field(*scene.magnetic_field, scene, lines);

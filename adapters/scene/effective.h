@@ -76,6 +76,10 @@ double lightest_ratio(const Scene& scene, const Body& body);
 // fitted::least_serial_contact_ratio, else null.
 const Body* light_in_contact(const Scene& scene);
 
+// True with forcing no_slip in OpenFOAM, whose pressure answers a force within the step:
+// the step has to be repeated until the force is found.
+bool holds_openfoam(const Scene& scene);
+
 // True if the scene has the effect. Throws std::logic_error unless `name` is one of the
 // names above.
 bool has_effect(const Scene& scene, std::string_view name);

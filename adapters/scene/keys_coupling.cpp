@@ -51,7 +51,8 @@ void keys(Io& io, ImmersedBoundary& boundary) {
            "of its own volume; no_slip makes the fluid that passes the body move with it, with "
            "markers about one spacing apart. Without it: no_slip with solver lbm and 2-point "
            "or 3-point kernels; penalty in others, and where a key is given that belongs to "
-           "the penalty."),
+           "the penalty. With solver openfoam the step is repeated (scheme: implicit) until "
+           "the fluid moves with the body."),
        boundary.forcing);
     io(key("kernel", "Regularised delta function.").by_default(), boundary.kernel);
     io(key("strength",
@@ -66,7 +67,7 @@ template <class Io>
 void keys(Io& io, Coupling& coupling) {
     io(key("scheme", "serial: structure and fluid take turns; implicit: they repeat each step "
            "until it has converged. Without it: serial, but implicit where bodies of less than "
-           "half of the fluid's density have contact.").optional(),
+           "half of the fluid's density have contact, and with forcing no_slip in OpenFOAM.").optional(),
        coupling.scheme);
     io(key("structure",
            "Origin of the bodies. bodies: those of the scene; own: a program of yours, "

@@ -30,23 +30,29 @@ void normalise(Vec3& v) {
 
 // Default scheme: serial, unless that is known to be wrong.
 Scheme usual_scheme(const Scene& scene) {
-    return light_in_contact(scene) ? Scheme::implicit : Scheme::serial;
+    return light_in_contact(scene) || holds_openfoam(scene) ? Scheme::implicit
+                                                            : Scheme::serial;
 }
 
-// Fills in defaults of the coupling that depend on the scheme.
-void complete(Coupling& coupling) {
+// Fills in defaults of the coupling that depend on the scheme. finds_force: the step is
+// repeated until the fluid moves with the body, for which 1 % of its speed is enough.
+void complete(Coupling& coupling, bool finds_force) {
     const bool implicit = coupling.scheme == Scheme::implicit;
-    if (implicit && !coupling.iteration) coupling.iteration.emplace();
+    if (implicit && !coupling.iteration) {
+        coupling.iteration.emplace();
+        if (finds_force) coupling.iteration->velocity_tolerance = 0.01;
+    }
     if (!coupling.sampled_velocity)
         coupling.sampled_velocity =
             implicit ? SampledVelocity::linear : SampledVelocity::frozen;
 }
 
-// Default forcing: no_slip where it is possible. A strength other than 1 has a meaning
-// only with the penalty method, so it selects that one.
+// Default forcing: no_slip where it is possible, with the lattice. A strength other than
+// 1 has a meaning only with the penalty method, so it selects that one.
 coupler::Forcing usual_forcing(const Scene& scene) {
     const bool penalty = scene.has_own_structure() || objection_to_no_slip(scene) ||
-                         scene.coupling->immersed_boundary.strength != 1;
+                         scene.coupling->immersed_boundary.strength != 1 ||
+                         (scene.fluid && scene.fluid->solver != FluidSolver::lbm);
     return penalty ? coupler::Forcing::penalty : coupler::Forcing::no_slip;
 }
 
@@ -66,10 +72,10 @@ void complete(Scene& scene, const Marks& marks, const std::filesystem::path& fol
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
     if (!scene.coupling) return;
-    if (!marks.has({"coupling", "scheme"})) scene.coupling->scheme = usual_scheme(scene);
-    complete(*scene.coupling);
     auto& forcing = scene.coupling->immersed_boundary.forcing;
     if (!forcing) forcing = usual_forcing(scene);
+    if (!marks.has({"coupling", "scheme"})) scene.coupling->scheme = usual_scheme(scene);
+    complete(*scene.coupling, holds_openfoam(scene));
 }
 
 // The tree of the file with all overrides.

@@ -50,6 +50,7 @@ struct RunPlan {
 
     // Properties of the fluid; 0 without one.
     double fluid_density_kg_m3 = 0;
+    bool fluid_is_incompressible = false;  // pressure answers a force within the step
     Vec3 fluid_body_force_n_m3{};
     double given_speed_m_s = 0;  // largest speed of inlets, walls and initial flow
 

@@ -42,6 +42,7 @@ NoSlipForcing::NoSlipForcing(std::vector<Marker> markers, const PenaltyScale& sc
     : PenaltyForcing(std::move(markers), scale, gravity_m_s2, step),
       scale_(scale),
       body_force_n_m3_(setting.body_force_n_m3),
+      incompressible_(setting.incompressible),
       memory_(this->markers(), setting.rates) {
     for (const Marker& marker : this->markers()) volume_m3_.push_back(marker.volume_m3);
     if (setting.carries_layers)
@@ -78,8 +79,14 @@ void NoSlipForcing::add_to_answer(TaskList& tasks) {
     tasks.add_coupling("remember slip", [this] { take_answer(); });
 }
 
-// The body force's part of q - U is left out of g. U is that at the start of the step.
+// In an incompressible fluid nothing is remembered: the step has been repeated until the
+// fluid moved with the body. Else the body force's part of q - U is left out of g. U is
+// that at the start of the step.
 void NoSlipForcing::take_answer() {
+    if (incompressible_) {
+        answer_.passed = step_.fluid_velocity;
+        return divide_by_row_sums();
+    }
     const std::span<const Vec3> felt = step_.last_velocity;
     const double half_m3_kg = 0.5 / scale_.fluid_density_kg_m3;
     const Vec3 of_all = half_m3_kg * step_.duration_s * body_force_n_m3_;

@@ -85,6 +85,9 @@ class NoSlipForcing final : public PenaltyForcing {
         // areas: pieces of surface of this rank's markers.
         bool carries_layers = false;
         std::span<const MarkerArea> areas{};
+        // True if the fluid's pressure answers a force within the step. The scheme then
+        // finds the force by repeating the step, and the memory stays zero.
+        bool incompressible = false;
     };
     NoSlipForcing(std::vector<Marker> markers, const PenaltyScale& scale,
                   const Vec3& gravity_m_s2, const MarkerStep& step,
@@ -112,6 +115,7 @@ class NoSlipForcing final : public PenaltyForcing {
 
     PenaltyScale scale_;
     Vec3 body_force_n_m3_;
+    bool incompressible_;
     std::vector<double> volume_m3_;
     NoSlipAnswer answer_;
     SlipMemory memory_;

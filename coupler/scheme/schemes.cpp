@@ -83,7 +83,7 @@ constexpr double rest_lattice_speed = 1e-9;
 // Implicit scheme: both take the step under a guess of the fluid's velocities at t(n+1),
 // from the same state again and again until the resulting velocities agree with the
 // guess.
-class ImplicitStructure final : public StructureCoupling {
+class ImplicitStructure : public StructureCoupling {
   public:
     ImplicitStructure(Session& session, StructureSolver& solver, const Grid& grid,
                       BodyMarkers markers)
@@ -100,7 +100,7 @@ class ImplicitStructure final : public StructureCoupling {
         const std::size_t first = tasks.size();
         tasks.add_coupling("guess fluid velocity", [this] { guess_velocity(); });
         add_advance(tasks);
-        tasks.add_coupling("wait for fluid", [this] { receive(answer_); });
+        tasks.add_coupling("wait for fluid", [this] { receive_answer(); });
         tasks.add_coupling("check convergence", [this] { check_convergence(); });
         tasks.repeat_from(first, [this] { return again_; });
         add_audit(tasks);
@@ -126,7 +126,27 @@ class ImplicitStructure final : public StructureCoupling {
         return &fixed_point_.record();
     }
 
+  protected:
+    FixedPoint fixed_point_;
+    std::vector<Vec3> answer_;  // the answer to the last guess
+
+    virtual void accept_answer() {
+        step_.last_velocity.swap(step_.fluid_velocity);
+        std::ranges::copy(answered_velocity(), step_.fluid_velocity.begin());
+        // The enclosed fluid took the guess for the velocity at the step's end.
+        std::ranges::copy(answered_velocity(),
+                          force_->enclosed().last_velocity().begin());
+    }
+
   private:
+    // Makes the first guess of a step.
+    virtual void begin_iterations() {
+        fixed_point_.begin_step(step_.fluid_velocity, step_.last_velocity);
+    }
+    virtual void receive_answer() { receive(answer_); }
+    // Velocities of the fluid [m/s] that belong to the last answer.
+    virtual std::span<const Vec3> answered_velocity() const { return answer_; }
+
     Occasion occasion() const override {
         return {session_.clock().step(), fixed_point_.iteration()};
     }
@@ -139,7 +159,7 @@ class ImplicitStructure final : public StructureCoupling {
         kept_.clear();
         for (const MarkerArray& array : StructureCoupling::carried())
             kept_.emplace_back(array.values.begin(), array.values.end());
-        fixed_point_.begin_step(step_.fluid_velocity, step_.last_velocity);
+        begin_iterations();
     }
 
     // A velocity that alternates from step to step has no mean over a step: the body
@@ -158,7 +178,7 @@ class ImplicitStructure final : public StructureCoupling {
     // If U were held at the value of the step's end the fluid would lead the body by half
     // a step, a negative added mass of kappa dt / 2 per marker, as large as the fluid
     // that the marker moves: light sheets would diverge.
-    void guess_velocity() {
+    virtual void guess_velocity() {
         const auto guess = fixed_point_.guess();
         force_->begin_step(guess);
         const double drawn_back = options_.immersed_boundary.forcing == Forcing::no_slip
@@ -187,19 +207,76 @@ class ImplicitStructure final : public StructureCoupling {
             std::ranges::copy(kept_[number++], array.values.begin());
     }
 
-    void accept_answer() {
-        step_.last_velocity.swap(step_.fluid_velocity);
-        step_.fluid_velocity = answer_;
-        // The enclosed fluid took the guess for the velocity at the step's end.
-        std::ranges::copy(answer_, force_->enclosed().last_velocity().begin());
-    }
-
-    FixedPoint fixed_point_;
-    std::vector<Vec3> answer_;  // the fluid's answer to the last guess
-    bool again_ = false;        // the step is repeated
+    bool again_ = false;  // the step is repeated
     // Positions and carried arrays of the markers at the start of the step.
     std::vector<Vec3> kept_m_;
     std::vector<std::vector<double>> kept_;
+};
+
+// The implicit scheme for forcing no_slip in a fluid whose pressure answers a force
+// within the step. How much the fluid moves is known only after its pressure, so the
+// iterations look for the force with which it moves as the body does. Their unknown is
+// the velocity W in F = kappa (V - W), held over the step, and the answer to a guess W is
+//   W + U - mean V
+// with U the fluid's velocity at the step's end and mean V the markers' in the step: a
+// fluid that is too slow lowers W and so raises the force on it. At the fixed point U =
+// mean V, whatever kappa is; with kappa = 2 rho dV / dt over the row sum the iterations
+// are few, for the fluid's answer to a change of W is between the negative of that change
+// and a share of it, the cells' mass over the added mass.
+//
+// Why the mean of V: the impulse I of a step does the work I . mean V on the fluid, and
+// the part kappa (mean V^2 - (mean V)^2) dt is lost, so that the body cannot gain energy
+// of an implicit fluid. With V at the step's end elastic waves of a period below two
+// steps answer with the wrong sign, and no force holds them. The fluid follows the body
+// by half a step.
+class ImplicitNoSlipStructure final : public ImplicitStructure {
+  public:
+    ImplicitNoSlipStructure(Session& session, StructureSolver& solver, const Grid& grid,
+                            BodyMarkers markers)
+        : ImplicitStructure(session, solver, grid, std::move(markers)),
+          velocity_(answer_.size()),
+          held_(answer_.size()),
+          last_held_(answer_.size()) {}
+
+    std::vector<MarkerArray> carried() override {
+        std::vector<MarkerArray> all = ImplicitStructure::carried();
+        all.push_back({"held_velocity", flat(held_)});
+        all.push_back({"last_held_velocity", flat(last_held_)});
+        return all;
+    }
+
+  private:
+    void begin_iterations() override {
+        if (session_.clock().step() == 0) held_ = last_held_ = step_.fluid_velocity;
+        fixed_point_.begin_step(held_, last_held_);
+        for (std::size_t m = 0; m < velocity_.size(); ++m)
+            velocity_[m] = 2.0 * step_.fluid_velocity[m] - step_.last_velocity[m];
+    }
+
+    // The enclosed fluid takes the velocity of the iteration before.
+    void guess_velocity() override {
+        force_->begin_step(velocity_);
+        force_->hold(fixed_point_.guess());
+    }
+
+    void receive_answer() override {
+        receive(velocity_);
+        const std::vector<Vec3> wanted = step_.mean_velocity();
+        for (std::size_t m = 0; m < answer_.size(); ++m)
+            answer_[m] = fixed_point_.guess()[m] + velocity_[m] - wanted[m];
+    }
+
+    std::span<const Vec3> answered_velocity() const override { return velocity_; }
+
+    void accept_answer() override {
+        ImplicitStructure::accept_answer();
+        last_held_.swap(held_);
+        std::ranges::copy(fixed_point_.guess(), held_.begin());
+    }
+
+    std::vector<Vec3> velocity_;  // U of the last answer
+    // W of the last step and of the one before.
+    std::vector<Vec3> held_, last_held_;
 };
 
 class ImplicitFluid final : public FluidCoupling {
@@ -263,6 +340,10 @@ std::unique_ptr<StructureCoupling> make_structure_coupling(Session& session,
     if (session.plan().coupling->scheme == Scheme::serial)
         return std::make_unique<SerialStructure>(session, solver, grid,
                                                  std::move(markers));
+    if (session.plan().fluid_is_incompressible &&
+        session.plan().coupling->immersed_boundary.forcing == Forcing::no_slip)
+        return std::make_unique<ImplicitNoSlipStructure>(session, solver, grid,
+                                                         std::move(markers));
     return std::make_unique<ImplicitStructure>(session, solver, grid, std::move(markers));
 }
 std::unique_ptr<FluidCoupling> make_fluid_coupling(Session& session, GridFluid& fluid) {

@@ -49,9 +49,9 @@ void StructureCoupling::make_force() {
                                                   markers_.gravity_m_s2, step_);
         return;
     }
-    const NoSlipForcing::Setting setting{markers_.slip_rates,
-                                         session_.plan().fluid_body_force_n_m3,
-                                         markers_.carries_layers, slip_.areas()};
+    const NoSlipForcing::Setting setting{
+        markers_.slip_rates, session_.plan().fluid_body_force_n_m3,
+        markers_.carries_layers, slip_.areas(), session_.plan().fluid_is_incompressible};
     force_ = std::make_unique<NoSlipForcing>(std::move(markers_.markers), scale,
                                              markers_.gravity_m_s2, step_, setting);
 }

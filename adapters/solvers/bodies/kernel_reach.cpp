@@ -32,11 +32,15 @@ double edge(coupler::Kernel kernel, double magic_number) {
 
 }  // namespace
 
-// Relaxation time and magic number are those of the grid at the bodies; a fluid without a
-// relaxation time counts with 1.
+// Relaxation time and magic number are those of the grid at the bodies. Finite volumes
+// have neither.
 KernelReach reach_in(const scene::Scene& scene) {
     const coupler::Kernel kernel = scene.coupling->immersed_boundary.kernel;
     const double grid_m = scene.fluid->finest_spacing_m();
+    if (scene.fluid->solver != scene::FluidSolver::lbm)
+        return {grid_m, WallOfPlanes::of_finite_volumes(kernel),
+                WallOfPlanes::of_finite_volumes(kernel, fitted::resolved_stokes_layer),
+                fitted::edge_in_finite_volumes * grid_m};
     const double tau = scene::relaxation_time_at_bodies(scene).value_or(1);
     const double reynolds = fluid::cell_reynolds_number(
         *scene.fluid, scene.fluid->expected_speed_m_s, grid_m, tau);

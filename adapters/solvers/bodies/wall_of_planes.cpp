@@ -31,13 +31,28 @@ constexpr int many = 7;
 
 }  // namespace
 
+WallOfPlanes::WallOfPlanes(double viscosity, coupler::Kernel kernel, double stokes_layer)
+    : kernel_(kernel),
+      viscosity_(viscosity),
+      frequency_(2 * viscosity / (stokes_layer * stokes_layer)),
+      waves_{} {}
+
 WallOfPlanes::WallOfPlanes(coupler::Kernel kernel, double relaxation_time,
                            double magic_number, double stokes_layer)
-    : kernel_(kernel),
-      viscosity_((relaxation_time - 0.5) / 3),
-      frequency_(2 * viscosity_ / (stokes_layer * stokes_layer)) {
+    : WallOfPlanes((relaxation_time - 0.5) / 3, kernel, stokes_layer) {
     for (int n = 0; n < cells; ++n)
         waves_[n] = wave(2 * std::numbers::pi * n / cells, relaxation_time, magic_number);
+}
+
+// The viscosity does not matter, since times are counted by the oscillation.
+WallOfPlanes WallOfPlanes::of_finite_volumes(coupler::Kernel kernel,
+                                             double stokes_layer) {
+    WallOfPlanes wall(1.0, kernel, stokes_layer);
+    for (int n = 0; n < cells; ++n) {
+        const double k = 2 * std::numbers::pi * n / cells;
+        wall.waves_[n] = 1.0 / (im * wall.frequency_ + 2 * (1 - std::cos(k)));
+    }
+    return wall;
 }
 
 // Amplitude of the velocity q = U + F dt / (2 rho) over that of the force, for the wave

@@ -33,6 +33,11 @@ class WallOfPlanes {
     WallOfPlanes(coupler::Kernel kernel, double relaxation_time, double magic_number,
                  double stokes_layer = fitted::stokes_layer_of_planes);
 
+    // The same in a fluid of finite volumes with central differences and steps that are
+    // short against the oscillation.
+    static WallOfPlanes of_finite_volumes(
+        coupler::Kernel kernel, double stokes_layer = fitted::stokes_layer_of_planes);
+
     // Effective thickness of planes that oscillate along themselves: a body of that
     // thickness has the same inertia. Mean over ten positions of the planes relative to
     // the grid (thicker Stokes layers: up to 0.1 less).
@@ -50,6 +55,9 @@ class WallOfPlanes {
     // Cells of the periodic box in which the response is evaluated: 32 of the default
     // Stokes layers.
     static constexpr int cells = 64;
+    // Without the response, which the caller sets.
+    WallOfPlanes(double viscosity, coupler::Kernel kernel, double stokes_layer);
+
     coupler::Kernel kernel_;
     double viscosity_, frequency_;  // in lattice units; frequency_ is angular
     // Amplitude of the velocity in each shear wave for a force of amplitude 1.

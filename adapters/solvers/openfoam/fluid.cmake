@@ -31,6 +31,7 @@ set_property(GLOBAL APPEND PROPERTY MAGFSI_FLUID_PROGRAMS magfsi-fluid-openfoam)
 if(MAGFSI_OPENFOAM)
   add_library(magfsi_openfoam_engine MODULE
     solvers/openfoam/engine/box_mesh.cpp
+    solvers/openfoam/engine/coupled_force.cpp
     solvers/openfoam/engine/pimple_engine.cpp
     solvers/openfoam/engine/plane.cpp)
   set_target_properties(magfsi_openfoam_engine PROPERTIES

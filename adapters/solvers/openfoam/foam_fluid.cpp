@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "adapters/solvers/openfoam/case.h"
 #include "adapters/solvers/openfoam/engine_library.h"
@@ -60,7 +61,7 @@ constexpr double max_courant = 10;
 // Rank 0 writes the case; between the two barriers all ranks read it. The communicator
 // replaces MPI_COMM_WORLD before OpenFOAM is loaded, since its start-up uses it.
 FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& times,
-                     const std::filesystem::path& case_folder)
+                     const std::filesystem::path& case_folder, bool finds_force)
     : comm_(comm),
       fluid_(fluid),
       step_s_(times.step_s),
@@ -87,8 +88,9 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
     MPI_Barrier(comm);
     set_world(comm);
     const scene::OpenFoam own = fluid.openfoam.value_or(scene::OpenFoam{});
-    engine_ = load_engine({way_for_openfoam(case_folder), mesh_, !fluid.obstacles.empty(),
-                           own.functions.has_value(), own.write.has_value()});
+    engine_ =
+        load_engine({way_for_openfoam(case_folder), mesh_, !fluid.obstacles.empty(),
+                     own.functions.has_value(), own.write.has_value(), !finds_force});
     if (!fluid.obstacles.empty()) take_cells();
     if (fluid.body_force_n_m3) begin_force();
     for (int side = 0; side < 6; ++side) {
@@ -151,7 +153,7 @@ std::size_t FoamFluid::cell_at(int x, int y, int z) const {
 void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out,
                          std::span<double> relative_density) {
     std::ranges::fill(relative_density, 1.0);
-    const double* from = engine_->velocity();
+    const double* from = again_ ? kept_.velocity.data() : engine_->velocity();
     double* to = out.data();
     for (const coupler::GridRow& row : rows) {
         for (int x = row.x_begin; x < row.x_end; ++x, to += 3) {
@@ -213,9 +215,14 @@ void FoamFluid::set_inlets(double time_s) {
 // Inlets have the values of the step's end, as the implicit time scheme needs. Forces
 // hold for one step.
 void FoamFluid::advance() {
-    ++steps_;
-    set_inlets(1.0 * steps_ * step_s_);
-    engine_->advance();
+    if (again_) {
+        engine_->answer_again();
+    } else {
+        ++steps_;
+        set_inlets(1.0 * steps_ * step_s_);
+        engine_->advance(std::exchange(may_repeat_, false));
+    }
+    again_ = false;
     clear_force();
 }
 
@@ -355,11 +362,17 @@ output::Named<std::string> FoamFluid::versions() const {
 void FoamFluid::keep() {
     engine_->keep(kept_);
     kept_steps_ = steps_;
+    may_repeat_ = true;
 }
 
+// Where the momentum equation of the step is still there, the next advance goes on from
+// it; until then velocity() is the kept one.
 void FoamFluid::go_back() {
+    again_ = engine_->can_answer_again();
+    if (again_) return;
     engine_->go_back(kept_, kept_steps_);
     steps_ = kept_steps_;
+    may_repeat_ = true;
 }
 
 // Collective; `file` is null except on the root.

@@ -20,10 +20,11 @@ namespace magfsi::openfoam {
 class FoamFluid final : public fluids::FluidSolver {
   public:
     // Writes the case into case_folder, makes `comm` OpenFOAM's world and loads the
-    // engine. Throws std::runtime_error if OpenFOAM is missing or refuses the case.
-    // Collective over `comm`.
+    // engine. finds_force: the force of a step is found with the pressure, in repeated
+    // steps (forcing no_slip). Throws std::runtime_error if OpenFOAM is missing or
+    // refuses the case. Collective over `comm`.
     FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& times,
-              const std::filesystem::path& case_folder);
+              const std::filesystem::path& case_folder, bool finds_force = false);
     FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
               const std::filesystem::path& case_folder)
         : FoamFluid(comm, fluid, CaseTimes{.step_s = step_s}, case_folder) {}
@@ -98,6 +99,8 @@ class FoamFluid final : public fluids::FluidSolver {
     std::vector<Inlet> inlets_;
     FlowState kept_;  // state that the implicit scheme goes back to
     std::int64_t kept_steps_ = 0;
+    bool may_repeat_ = false;  // the coming step
+    bool again_ = false;       // the coming advance repeats the last step
 };
 
 }  // namespace magfsi::openfoam

@@ -29,7 +29,8 @@ int main(int argc, char** argv) {
                 times.steps_between_files = clock.every(own->write->every_s);
             times.goes_on = session.restart() != nullptr;
             openfoam::FoamFluid fluid(session.world().local(), *scene.fluid, times,
-                                      session.out() / "openfoam");
+                                      session.out() / "openfoam",
+                                      scene::holds_openfoam(scene));
             fluids::Participant(scene, session, fluid, arguments.progress).run();
         });
 }

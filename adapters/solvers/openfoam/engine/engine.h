@@ -36,6 +36,8 @@ struct EngineSetup {
     // The case's function objects run along, and time folders are written. With either,
     // each of several ranks has its own folder in the case, processorN.
     bool runs_functions = false, writes_fields = false;
+    // The force of each step is known before it; else it is found with the pressure.
+    bool balances_force = true;
 };
 
 // State of the flow in this rank's slab, all that the next step depends on.
@@ -102,8 +104,15 @@ class Engine {
     // stress. Collective.
     virtual std::array<double, 3> force_on(const std::string& patch) = 0;
 
-    // Advances the flow by one time step. Collective.
-    virtual void advance() = 0;
+    // Advances the flow by one time step. may_repeat: answer_again() may follow.
+    // Collective.
+    virtual void advance(bool may_repeat) = 0;
+
+    // Repeats the last step under the present acceleration, from its own momentum
+    // equation: the pressure and the velocities follow anew. Collective. Only possible
+    // where the equation was kept.
+    virtual void answer_again() = 0;
+    virtual bool can_answer_again() const = 0;
 
     // Copies the state of the flow; must be called between two steps.
     virtual void keep(FlowState& state) const = 0;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "adapters/solvers/openfoam/engine/box_mesh.h"
+#include "adapters/solvers/openfoam/engine/coupled_force.h"
 #include "adapters/solvers/openfoam/engine/engine.h"
 #include "adapters/solvers/openfoam/engine/functions.h"
 #include "adapters/solvers/openfoam/engine/plane.h"
@@ -15,10 +16,8 @@
 #include "foamVersion.H"
 #include "fvCFD.H"
 #include "fvMatrices.H"
-#include "fvOption.H"
 #include "fvOptions.H"
 #include "fvcFlux.H"
-#include "fvcReconstruct.H"
 #include "pimpleControl.H"
 #include "singlePhaseTransportModel.H"
 #include "turbulentTransportModel.H"
@@ -26,65 +25,6 @@
 namespace magfsi::openfoam {
 
 namespace {
-
-// The coupling force on the fluid as an OpenFOAM momentum source (fvOption), set from
-// outside before every step and balanced with the pressure.
-//
-// pimpleFoam stores velocities in cells and fluxes on faces. An acceleration a that
-// varies from cell to cell drives the flux through a face by the mean of its two cells,
-// and the pressure balances that; in a cell, the pressure's gradient is the mean over its
-// two faces. For a layer of force along its normal, which the pressure should balance in
-// full, the residual a - mean(mean(a)) = -h^2 a''/4 accelerates the cells, though nothing
-// flows through their faces. For the force of a sheet, three cells thick, that is a
-// quarter of it: markers see the fluid follow a sheet that it leaks through. Here cells
-// get the mean of what their faces get, so that a force balanced on faces is balanced in
-// cells: Francois et al., J. Comput. Phys. 213 (2006) 141, for the same problem with
-// surface tension.
-class CoupledForce : public Foam::fv::option {
-  public:
-    explicit CoupledForce(const Foam::fvMesh& mesh);
-
-    // Adds the acceleration to the momentum equation.
-    void addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label field) override;
-
-    // Stores the response of the velocity, 1 / A, of the assembled momentum equation
-    // before it is solved.
-    void constrain(Foam::fvMatrix<Foam::vector>& equation,
-                   const Foam::label field) override;
-
-    // Replaces the cell value of the force's effect by the mean of its faces, after each
-    // pressure correction of the velocity.
-    void correct(Foam::volVectorField& velocity) override;
-
-    Foam::vectorField& acceleration() { return acceleration_.primitiveFieldRef(); }
-
-  private:
-    Foam::volVectorField acceleration_;
-    Foam::tmp<Foam::volScalarField> response_;  // velocity over acceleration [s]
-};
-
-CoupledForce::CoupledForce(const Foam::fvMesh& mesh)
-    : Foam::fv::option("coupledForce", "coupledForce", Foam::dictionary(), mesh),
-      acceleration_(Foam::IOobject("coupledForce", mesh.time().timeName(), mesh), mesh,
-                    Foam::dimensionedVector(Foam::dimAcceleration, Foam::Zero)) {
-    fieldNames_.setSize(1, "U");
-    applied_.setSize(1, false);
-}
-
-void CoupledForce::addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
-    equation += acceleration_();
-}
-
-void CoupledForce::constrain(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
-    response_ = 1 / equation.A();
-}
-
-void CoupledForce::correct(Foam::volVectorField& velocity) {
-    Foam::volVectorField push(response_() * acceleration_);
-    push.correctBoundaryConditions();  // values of neighbours on other ranks
-    velocity += Foam::fvc::reconstruct(Foam::fvc::flux(push)) - push;
-    velocity.correctBoundaryConditions();
-}
 
 static_assert(sizeof(Foam::vector) == 3 * sizeof(double), "vectors are three doubles");
 
@@ -143,6 +83,7 @@ class PimpleEngine final : public Engine {
           mesh_(setup.reads_mesh ? read_mesh(time_) : make_mesh(time_, setup.mesh)),
           box_(setup.mesh),
           reads_mesh_(setup.reads_mesh),
+          balances_force_(setup.balances_force),
           places_(setup.reads_mesh ? std::vector<FacePlace>() : face_places(setup.mesh)),
           pimple_(mesh_()),
           p_(field_file("p", mesh_()), mesh_()),
@@ -166,7 +107,8 @@ class PimpleEngine final : public Engine {
     // OpenFOAM's list of sources takes ownership of the force.
     double* acceleration() override {
         if (force_ == nullptr) {
-            force_ = new CoupledForce(mesh_());
+            force_ =
+                balances_force_ ? new BalancedForce(mesh_()) : new CoupledForce(mesh_());
             static_cast<Foam::fv::optionList&>(sources_).append(force_);
         }
         return numbers(force_->acceleration());
@@ -234,8 +176,12 @@ class PimpleEngine final : public Engine {
         });
     }
 
-    void advance() override {
-        guarded([&] { step(); });
+    void advance(bool may_repeat) override {
+        guarded([&] { step(may_repeat); });
+    }
+    bool can_answer_again() const override { return equation_.valid(); }
+    void answer_again() override {
+        guarded([&] { answer(); });
     }
 
     // oldTime() is the velocity one step ago, which the backward scheme needs.
@@ -311,7 +257,9 @@ class PimpleEngine final : public Engine {
     }
 
   private:
-    void step();
+    void step(bool may_repeat);
+    void answer();
+    void correct_pressure(Foam::tmp<Foam::fvVectorMatrix>& tUEqn);
 
     // Writes the mesh, once, and marks the fields that time folders have.
     void begin_writing() {
@@ -325,7 +273,7 @@ class PimpleEngine final : public Engine {
     Foam::Time time_;
     Foam::autoPtr<Foam::fvMesh> mesh_;
     BoxMesh box_;
-    bool reads_mesh_;
+    bool reads_mesh_, balances_force_;
     std::vector<FacePlace> places_;  // empty on a mesh that was read
     Foam::pimpleControl pimple_;
     Foam::volScalarField p_;
@@ -337,6 +285,8 @@ class PimpleEngine final : public Engine {
     Foam::fv::options& sources_;
     // The coupling force, owned by sources_; null until the first force.
     CoupledForce* force_ = nullptr;
+    // The momentum equation of the last step, if the step may be repeated.
+    Foam::tmp<Foam::fvVectorMatrix> equation_;
     Foam::label reference_cell_ = 0;
     Foam::scalar reference_pressure_ = 0;
     Foam::scalar continuity_error_ = 0;
@@ -345,9 +295,8 @@ class PimpleEngine final : public Engine {
 };
 
 // One step of pimpleFoam. The local names are those that the included solver files use.
-void PimpleEngine::step() {
+void PimpleEngine::step(bool may_repeat) {
     using namespace Foam;
-    fvMesh& mesh = mesh_();
     Time& runTime = time_;
     pimpleControl& pimple = pimple_;
     volScalarField& p = p_;
@@ -357,22 +306,49 @@ void PimpleEngine::step() {
     auto& turbulence = turbulence_;
     IOMRFZoneList& MRF = zones_;
     fv::options& fvOptions = sources_;
-    const label pRefCell = reference_cell_;
-    const scalar pRefValue = reference_pressure_;
-    scalar& cumulativeContErr = continuity_error_;
-    autoPtr<surfaceVectorField> Uf;  // used with moving meshes only
 
+    equation_.clear();
     ++runTime;
     while (pimple.loop()) {
 #include "UEqn.H"
-        while (pimple.correct()) {
-#include "pEqn.H"
-        }
+        correct_pressure(tUEqn);
+        if (may_repeat) equation_ = tUEqn;
         if (pimple.turbCorr()) {
             laminarTransport.correct();
             turbulence->correct();
         }
     }
+}
+
+// The corrections of PISO: the pressure that makes the velocity of the momentum equation
+// free of divergence.
+void PimpleEngine::correct_pressure(Foam::tmp<Foam::fvVectorMatrix>& tUEqn) {
+    using namespace Foam;
+    fvMesh& mesh = mesh_();
+    Time& runTime = time_;
+    pimpleControl& pimple = pimple_;
+    volScalarField& p = p_;
+    volVectorField& U = u_;
+    surfaceScalarField& phi = phi_;
+    IOMRFZoneList& MRF = zones_;
+    fv::options& fvOptions = sources_;
+    const label pRefCell = reference_cell_;
+    const scalar pRefValue = reference_pressure_;
+    scalar& cumulativeContErr = continuity_error_;
+    autoPtr<surfaceVectorField> Uf;  // used with moving meshes only
+    fvVectorMatrix& UEqn = tUEqn.ref();
+
+    while (pimple.correct()) {
+#include "pEqn.H"
+    }
+}
+
+// More corrections of PISO, with the present force in the momentum equation of the step:
+// the force is found together with the pressure (PISO-IB: Blais et al., Int. J. Numer.
+// Meth. Fluids 80 (2016) 513), for a fraction of what a step costs.
+void PimpleEngine::answer() {
+    if (force_ != nullptr) force_->renew(equation_.ref());
+    correct_pressure(equation_);
 }
 
 }  // namespace

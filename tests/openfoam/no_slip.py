@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bodies without slip in OpenFOAM, where each step is repeated until the fluid moves with the body:
+a plate that swings broadside against the exact force, a wall across a duct, and a strip in a field
+that runs, stops and goes on."""
+
+import math
+import sys
+import unittest
+
+from magfsi import testing
+
+FOLDER = testing.ROOT / "tests/validation/no_slip"
+sys.path.insert(0, str(FOLDER))
+import plate  # noqa: E402
+
+OPENFOAM = {"fluid.solver": "openfoam", "coupling.immersed_boundary.kernel": "3-point"}
+
+
+class NoSlip(unittest.TestCase):
+    def test_a_plate_that_swings_broadside_moves_as_much_fluid_as_the_exact_one(self):
+        moved, boundary = plate.measured({**OPENFOAM, "fluid.spacing": "0.2 mm"})
+        # The rim is known to 0.1 spacings; of 7.5 that is 5 % of the mass.
+        self.assertAlmostEqual(moved.real / plate.exact(True).real, 1, delta=0.05)
+        self.assertLess(boundary["no_slip_error"], 0.01)
+
+    def test_a_wall_across_a_duct_leaks_little(self):
+        run = testing.good_run(FOLDER / "duct.yaml", {
+            **OPENFOAM, "fluid.spacing": "0.2 mm", "time.end": "0.1 s", "time.step": "50 us"})
+        flow = run.probes()["far.flow[m3/s]"][-1]
+        part = abs(flow) / 1.6e-3**2 / math.sqrt(8 / 1000)
+        testing.report(f"leaks {100 * part:.2f} % of sqrt(pressure / density)")
+        # Velocities in cells and fluxes on faces differ where pressure jumps from cell to cell.
+        self.assertLess(part, 0.025)
+
+    def test_the_iterations_find_the_force_of_a_strip(self):
+        run = testing.good_run(testing.ROOT / "tests/scenes/small_swimmer.yaml", {
+            **OPENFOAM, "coupling.immersed_boundary.forcing": "no_slip",
+            "fluid.courant": 0.1})
+        summary = run.summary()
+        iterations = summary["iterations"]
+        testing.report(f"{iterations['mean']:.2f} iterations a step, "
+                       f"{summary['immersed_boundary']['no_slip_error']:.4f}")
+        self.assertEqual(iterations["unconverged_steps"], 0)
+        self.assertLess(summary["immersed_boundary"]["no_slip_error"], 0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()
