@@ -14,6 +14,8 @@ sys.path.insert(0, str(FOLDER))
 import plate  # noqa: E402
 
 OPENFOAM = {"fluid.solver": "openfoam", "coupling.immersed_boundary.kernel": "3-point"}
+STRIP = testing.ROOT / "tests/scenes/small_swimmer.yaml"
+STRIP_SETTINGS = {**OPENFOAM, "coupling.immersed_boundary.forcing": "no_slip", "fluid.courant": 0.1}
 
 
 class NoSlip(unittest.TestCase):
@@ -33,15 +35,20 @@ class NoSlip(unittest.TestCase):
         self.assertLess(part, 0.025)
 
     def test_the_iterations_find_the_force_of_a_strip(self):
-        run = testing.good_run(testing.ROOT / "tests/scenes/small_swimmer.yaml", {
-            **OPENFOAM, "coupling.immersed_boundary.forcing": "no_slip",
-            "fluid.courant": 0.1})
+        run = testing.good_run(STRIP, {**STRIP_SETTINGS, "checkpoint.every": "2 ms"}, "fluid=1")
         summary = run.summary()
         iterations = summary["iterations"]
         testing.report(f"{iterations['mean']:.2f} iterations a step, "
                        f"{summary['immersed_boundary']['no_slip_error']:.4f}")
         self.assertEqual(iterations["unconverged_steps"], 0)
         self.assertLess(summary["immersed_boundary"]["no_slip_error"], 0.05)
+        # A run that goes on from half of it gives the same bytes.
+        half = testing.good_run(STRIP, {**STRIP_SETTINGS, "checkpoint.every": "2 ms",
+                                        "time.end": "2 ms"}, "fluid=1")
+        testing.good_run(STRIP, {**STRIP_SETTINGS, "checkpoint.every": "2 ms"}, "fluid=1",
+                         folder=half.folder, restart="latest")
+        self.assertEqual((half.folder / "probes.csv").read_bytes(),
+                         (run.folder / "probes.csv").read_bytes())
 
 
 if __name__ == "__main__":
