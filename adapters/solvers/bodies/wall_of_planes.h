@@ -55,7 +55,7 @@ class WallOfPlanes {
     // Cells of the periodic box in which the response is evaluated: 32 of the default
     // Stokes layers.
     static constexpr int cells = 64;
-    // Without the response, which the caller sets.
+    // Leaves the response to the caller.
     WallOfPlanes(double viscosity, coupler::Kernel kernel, double stokes_layer);
 
     coupler::Kernel kernel_;

@@ -365,8 +365,8 @@ void FoamFluid::keep() {
     may_repeat_ = true;
 }
 
-// Where the momentum equation of the step is still there, the next advance goes on from
-// it; until then velocity() is the kept one.
+// The next advance goes on from the step's momentum equation if that was kept; until then
+// velocity() is the kept one.
 void FoamFluid::go_back() {
     again_ = engine_->can_answer_again();
     if (again_) return;

@@ -43,9 +43,9 @@ class CoupledForce : public Foam::fv::option {
 // cells: Francois et al., J. Comput. Phys. 213 (2006) 141, for the same problem with
 // surface tension.
 //
-// Where the force is found with the pressure until the cells move as the body does, this
-// must not be: the work of the force on the cells would no longer be what the body gives,
-// and with the backward scheme the body gains energy until the run diverges.
+// It must not be used where the force is found with the pressure until the cells move as
+// the body does: the force would do another work on the cells than the body gives. Runs
+// with the backward scheme gained energy from it until they diverged.
 class BalancedForce final : public CoupledForce {
   public:
     using CoupledForce::CoupledForce;

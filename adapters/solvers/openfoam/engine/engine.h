@@ -109,8 +109,8 @@ class Engine {
     virtual void advance(bool may_repeat) = 0;
 
     // Repeats the last step under the present acceleration, from its own momentum
-    // equation: the pressure and the velocities follow anew. Collective. Only possible
-    // where the equation was kept.
+    // equation: the pressure and the velocities follow anew. The equation must have been
+    // kept (can_answer_again). Collective.
     virtual void answer_again() = 0;
     virtual bool can_answer_again() const = 0;
 

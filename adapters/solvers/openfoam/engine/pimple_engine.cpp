@@ -297,24 +297,23 @@ class PimpleEngine final : public Engine {
 // One step of pimpleFoam. The local names are those that the included solver files use.
 void PimpleEngine::step(bool may_repeat) {
     using namespace Foam;
-    Time& runTime = time_;
     pimpleControl& pimple = pimple_;
     volScalarField& p = p_;
     volVectorField& U = u_;
     surfaceScalarField& phi = phi_;
-    singlePhaseTransportModel& laminarTransport = transport_;
     auto& turbulence = turbulence_;
     IOMRFZoneList& MRF = zones_;
     fv::options& fvOptions = sources_;
 
     equation_.clear();
-    ++runTime;
+    ++time_;
     while (pimple.loop()) {
 #include "UEqn.H"
         correct_pressure(tUEqn);
-        if (may_repeat) equation_ = tUEqn;
+        // With a single correction the solver's files have dropped the equation.
+        if (may_repeat && tUEqn.valid()) equation_ = tUEqn;
         if (pimple.turbCorr()) {
-            laminarTransport.correct();
+            transport_.correct();
             turbulence->correct();
         }
     }
